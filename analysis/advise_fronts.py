@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Which settings were the best of a measured scene: the table that `bendlab advise` starts from.
+"""Writes the best settings of the measured scenes: the table that `bendlab advise` starts from.
 
-Reads results/accuracy/summary.json, writes experiments/advise/fronts.def. Of each scene and mesh, where
-models and solvers are compared on one stated cloth, those settings are kept that no other beats in both error
-and time, and that are better by a fifth than the next faster one.
+Reads results/accuracy/summary.json, writes experiments/advise/fronts.def. For each scene and mesh in which
+models and solvers are compared on one stated cloth, it keeps the settings that no other setting beats in both
+error and time, and whose error is a fifth smaller than that of the next faster kept setting.
 """
 
 import argparse
@@ -16,7 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/trial.hpp
 BETTER = 0.8
-# Settings of a solver that are part of its kind, and what they are if they are not written.
+# Settings that make another kind of solver → their values if they are not stated.
 OF_KIND = {"levels": 0, "membrane": None, "integrator": None, "sweep": "forward"}
 HEAD = """\
 // Settings that were the best of a measured scene: model, method, its further settings, then substeps and
@@ -26,7 +26,8 @@ HEAD = """\
 
 
 def error_of(run):
-    """Its distance from the stated cloth, of which hinges' own equilibrium is one pose; or None."""
+    """Distance of a run from the stated cloth; for dihedral hinges it may be that from their own equilibrium,
+    a pose of that cloth. None if it is unknown or too large."""
     error = run.get("error_physical_rms")
     strain = run.get("error_physical_strain", run.get("error_solver_strain"))
     if error is None and run["model"] == "dihedral":
@@ -36,7 +37,7 @@ def error_of(run):
 
 
 def scene_of(run):
-    """What runs share that are compared: the experiment without its parts, and what it sweeps besides."""
+    """The key of runs that are compared: experiment without its suffixes, cells, other swept settings."""
     name = run["experiment"].replace("_slow", "").replace("_work", "")
     swept = {k: v for k, v in run["point"].items() if not k.startswith(("/bending", "/solver"))}
     return f'{name} {run["cells"]} {json.dumps(swept, sort_keys=True)}'
@@ -65,7 +66,7 @@ def best_settings(runs):
 
 
 def table(settings):
-    """A line for each kind: settings that differ in substeps and iterations only."""
+    """The table as text: a line for the settings that differ in substeps and iterations only."""
     text = HEAD
     for (method, kind, model), alike in groupby(settings, key=lambda setting: setting[:3]):
         works = ", ".join(f"{{{substeps},{iterations}}}" for *_, substeps, iterations in alike)

@@ -15,11 +15,11 @@ def missing():
     return [name for name in NEEDED if importlib.util.find_spec(name) is None]
 
 
-def others():
-    """Other Pythons that may have them: the one that the build found, and the system's."""
+def other_pythons():
+    """Other Pythons that may have the libraries: the Python that the build found, and the system's."""
     caches = [cache.read_text(encoding="utf-8") for cache in sorted(BUILD.glob("*/CMakeCache.txt"))]
-    found = [match[1] for text in caches if (match := re.search(r"^BENDLAB_PYTHON:\w+=(.+)$", text, re.M))]
-    return [python for python in dict.fromkeys([*found, "/usr/bin/python3"]) if Path(python).exists()]
+    named = [match[1] for text in caches if (match := re.search(r"^BENDLAB_PYTHON:\w+=(.+)$", text, re.M))]
+    return [python for python in dict.fromkeys([*named, "/usr/bin/python3"]) if Path(python).exists()]
 
 
 def has_all(python):
@@ -29,15 +29,17 @@ def has_all(python):
 
 
 def hand_over():
-    """Goes on in another Python if this one lacks a library; ends with what to do if there is none."""
+    """Continues in another Python if this Python lacks a library; ends with advice if no Python has all."""
     lacking = missing()
     if not lacking:
         return
-    for python in others():
+    for python in other_pythons():
         if has_all(python):
             os.execv(python, [python, *sys.argv])
     sys.exit(f"{sys.argv[0]}: this Python, {sys.executable}, has no {', '.join(lacking)}, and no other was "
              "found that has; on Debian: apt-get install python3-numpy python3-h5py python3-matplotlib")
 
 
+# With small matrices OpenBLAS threads wait for each other: 100 times as slow on a busy machine.
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 hand_over()

@@ -19,7 +19,7 @@
 namespace bendlab {
 namespace {
 
-// Parses the value of an option; a wrong one is a usage error.
+// Parses the value of an option. A wrong value is a usage error.
 template <class Parse>
 double read_option(const char* option, const std::string& text, Parse parse) try {
   return parse(text);
@@ -30,8 +30,8 @@ double read_option(const char* option, const std::string& text, Parse parse) try
 Demand demand_of(const AdviseArguments& arguments) {
   if (arguments.error.empty() == arguments.budget.empty())
     throw UsageError(
-        "advise needs one of --error 5% (for the fastest settings with that error) and --budget 2ms (for "
-        "the most accurate settings with that CPU time per frame)");
+        "advise needs either --error 5% (to find the fastest settings with at most that error) or --budget "
+        "2ms (to find the most accurate settings with at most that CPU time per frame)");
   if (!arguments.error.empty()) return {.error = read_option("--error", arguments.error, parse_error)};
   return {.cpu_s = read_option("--budget", arguments.budget, parse_duration)};
 }
@@ -40,7 +40,7 @@ void check_names(const char* option, const std::vector<std::string>& given,
                  const std::vector<std::string_view>& known) {
   for (const std::string& name : given)
     if (std::ranges::find(known, name) == known.end())
-      throw UsageError(fmt::format("{}: no advice is given on '{}'{} Choose from: {}", option, name,
+      throw UsageError(fmt::format("{}: advise cannot try '{}'{} Choose from: {}", option, name,
                                    suggestion(name, known).empty() ? "." : suggestion(name, known),
                                    fmt::join(known, ", ")));
 }
@@ -66,7 +66,7 @@ struct Answer {
 std::string error_text(const Answer& answer) {
   const KnownReference& reference = answer.advice.reference;
   const std::string gap =
-      reference.gap ? fmt::format(", which is known to {}", percent_text(*reference.gap)) : "";
+      reference.gap ? fmt::format(", a reference whose own error is {}", percent_text(*reference.gap)) : "";
   const std::string cloth =
       (find_bending_model(answer.question.reference_model())->is_reference ? "calibrated hinges"
                                                                            : "the config's own springs") +
@@ -79,7 +79,9 @@ std::string error_text(const Answer& answer) {
   return fmt::format(
       "of the pose at the end, against the static equilibrium of {} after the best turn about the vertical{}",
       cloth,
-      reference.start_from_end ? "; there are many, and a run is compared with the one near its end" : "");
+      reference.start_from_end
+          ? "; there are many equilibria, and each run is compared with the equilibrium near its end"
+          : "");
 }
 
 bool is_unconverged(const Trial& trial) {
@@ -97,7 +99,8 @@ std::string trial_text(const Trial& trial) {
       1e3 * trial.cpu_s);
 }
 
-// The front; if nothing is fit, what comes nearest. The advised setting is always there.
+// The table of the settings on the front, always with the advised setting. If no setting is fit, only the
+// nearest setting.
 std::string front_text(const Answer& answer) {
   std::vector<Trial> rows = thinned(answer.advice.front);
   if (const auto& choice = answer.advice.choice;
@@ -120,35 +123,36 @@ std::string front_text(const Answer& answer) {
   return table.text();
 }
 
-// Says that nothing is advised, what came nearest, and why.
+// Prints that no setting is advised, which setting comes nearest, and why.
 void print_none(const Answer& answer) {
   const auto& [advice, question, options] = answer;
-  const std::string of = advice.not_tried.empty() ? "no setting" : "no setting run so far";
+  const std::string no_setting = advice.not_tried.empty() ? "no setting" : "no setting run so far";
   const Demand& demand = options.demand;
   if (advice.anything_fit())
-    print_text("{}: {} meets {}", question.name(), of,
+    print_text("{}: {} meets {}", question.name(), no_setting,
                demand.error ? fmt::format("an error of {}", percent_text(*demand.error))
                             : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s));
   else
-    print_text("{}: nothing to advise, {} is fit", question.name(), of);
+    print_text("{}: nothing to advise, because {} is fit to be used", question.name(), no_setting);
   if (advice.choice)
-    print_text("; nearest is {}{}", trial_text(*advice.choice),
-               advice.anything_fit() ? "" : ", which is not to be used");
+    print_text("; the nearest setting is {}{}", trial_text(*advice.choice),
+               advice.anything_fit() ? "" : ", which should not be used");
   print_text("\n");
   for (const std::string& sentence : why_none(advice, options)) print_text("{}\n", sentence);
 }
 
-// How to have the choice.
+// Prints how to use the chosen setting.
 void print_choice(const Trial& trial, const Answer& answer) {
   constexpr double close = 10;
   const std::optional<double>& gap = answer.advice.reference.gap;
   if (gap && trial.error < close * *gap)
-    print_text("\n{}\n", trial.error > *gap
-                             ? "The reference's own error is more than a tenth of this error."
-                             : "The reference's own error is as large as this error: settings with less than "
-                               "that cannot be told apart. Take a shorter /duration, or a finer reference "
-                               "in /accuracy.");
-  print_text("\nto use {}:\n", answer.advice.is_met ? "it" : "the nearest");
+    print_text(
+        "\n{}\n",
+        trial.error > *gap
+            ? "The reference's own error is more than a tenth of this error."
+            : "The reference's own error is as large as this error, so settings with errors as small as this "
+              "cannot be compared. Take a shorter /duration, or a finer reference in /accuracy.");
+  print_text("\nto use {}:\n", answer.advice.is_met ? "it" : "the nearest setting");
   for (const std::string& change : answer.question.changes(trial.setting))  // quoted for a shell
     print_text("  --set {}\n",
                change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'");
@@ -163,8 +167,8 @@ void print_answer(const Answer& answer) {
   print_text("\nerror: rms {}, in sizes of the mesh\n", error_text(answer));
   if (advice.reference.cells > 0)
     print_text(
-        "the reference has fewer cells than the config, because more would not fit into --time-limit ({:.4g} "
-        "s): what fewer cells cost is not all in these errors\n",
+        "the reference has fewer cells than the config, because a run with more cells would not fit into "
+        "--time-limit ({:.4g} s). These errors contain only a part of the error of having fewer cells\n",
         options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
@@ -173,19 +177,21 @@ void print_answer(const Answer& answer) {
   constexpr double at_rest = 0.02;  // sizes per second
   if (advice.reference.of == ErrorOf::rest && advice.reference.still_moving > at_rest)
     print_text(
-        "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
-        "lets it come to rest, and --what motion compares its motion instead.\n",
+        "\nThe cloth still moves at the end of /duration, by {} of its size per second. A longer /duration "
+        "lets the cloth come to rest; --what motion compares the motion instead.\n",
         percent_text(advice.reference.still_moving));
   if (const auto& choice = advice.choice) {
     for (const Warning& warning : choice->warnings)
-      print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
+      print_text("\nThe run with this setting has the warning {}: {}.\n", warning.code, warning.message);
     if (advice.anything_fit()) print_choice(*choice, answer);
   }
   constexpr std::size_t most_listed = 5;
   const std::size_t not_tried = advice.not_tried.size();
   if (not_tried > 0)
-    print_text("\nnot tried, because --time-limit ({:.4g} s) was over; the same command goes on with them:\n",
-               options.time_limit_s);
+    print_text(
+        "\nnot tried, because the time of --time-limit ({:.4g} s) was over; the same command continues with "
+        "these:\n",
+        options.time_limit_s);
   for (std::size_t i = 0; i < std::min(most_listed, not_tried); ++i)
     print_text("  {}\n", setting_text(advice.not_tried[i]));
   if (not_tried > most_listed) print_text("  and {} more\n", not_tried - most_listed);
@@ -264,7 +270,7 @@ Json to_json(const Answer& answer) {
       {"complete", advice.not_tried.empty()}};
 }
 
-// Before anything is computed.
+// Checks, before anything is computed, that the file of --write can be written.
 void check_can_write(const std::filesystem::path& file, const std::filesystem::path& config) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -278,11 +284,11 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
   else if (fs::is_symlink(there))
     why = "is a link, which is not followed; name a file";
   else if (fs::exists(there) && !fs::is_regular_file(there))
-    why = "is no file; name one";
+    why = "is not a regular file; name another file";
   else if (!fs::is_directory(folder, ignored))
-    why = "its folder does not exist; create it, or name another one";
+    why = "its folder does not exist; create the folder, or name another file";
   else if (access(folder.c_str(), W_OK) != 0 || (fs::exists(there) && access(file.c_str(), W_OK) != 0))
-    why = "cannot be written; choose another place, or change its permissions";
+    why = "cannot be written; name another file, or change the permissions";
   if (why) throw UsageError(fmt::format("--write {}: {}", file.string(), why));
 }
 
@@ -307,7 +313,7 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     if (on_terminal) print_text(stderr, "bendlab: {}\n", news);
   });
   if (advice.exit_code != 0) {
-    if (stop_exit_code() != 0) print_text(stderr, "bendlab: stopped; the same command again continues\n");
+    if (stop_exit_code() != 0) print_text(stderr, "bendlab: stopped; the same command continues from here\n");
     return advice.exit_code;
   }
   const Answer answer{advice, question, options};
@@ -317,7 +323,7 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     print_answer(answer);
   if (!advice.is_met && !arguments.write.empty())
     print_text(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
-               advice.anything_fit() ? "meets the demand" : "is fit to be advised");
+               advice.anything_fit() ? "meets the demand" : "is fit to be used");
   if (advice.is_met && !arguments.write.empty())
     replace_file(arguments.write,
                  question.written(advice.choice->setting, arguments.write.parent_path()).dump(2) + '\n');

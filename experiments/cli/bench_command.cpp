@@ -10,7 +10,7 @@ namespace bendlab {
 int bench_command(const BenchOptions& options, bool list, bool json) {
   const std::vector<BenchCase> cases = bench_cases(options);
   if (list) {
-    for (const BenchCase& one : cases) print_text("{}\n", one.id);
+    for (const BenchCase& bench_case : cases) print_text("{}\n", bench_case.id);
     return exit_ok;
   }
   const bool show_progress = isatty(STDERR_FILENO) != 0;

@@ -11,20 +11,20 @@
 namespace bendlab {
 namespace {
 
-void collect(std::vector<CollectedText>& collected, const CampaignRun& run, const Warning& found) {
-  auto same = std::ranges::find(collected, found.code, &CollectedText::kind);
+void collect(std::vector<CollectedText>& collected, const CampaignRun& run, const Warning& warning) {
+  auto same = std::ranges::find(collected, warning.code, &CollectedText::kind);
   if (same == collected.end())
-    same = collected.insert(same, {.kind = found.code, .place = {}, .message = {}});
+    same = collected.insert(same, {.kind = warning.code, .place = {}, .message = {}});
   const bool first = same->runs++ == 0;
-  if (first || found.severity > same->worst) {
-    same->worst = found.severity, same->worst_text = found.measured;
-    same->place = place_text(run), same->message = found.message;
+  if (first || warning.severity > same->worst) {
+    same->worst = warning.severity, same->worst_text = warning.measured;
+    same->place = place_text(run), same->message = warning.message;
   }
-  if (first || found.severity < same->mildest)
-    same->mildest = found.severity, same->mildest_text = found.measured;
+  if (first || warning.severity < same->mildest)
+    same->mildest = warning.severity, same->mildest_text = warning.measured;
 }
 
-// By how much a bound is broken: measured over limit; what is not finite is the worst.
+// A broken bound as a warning. Its severity is measured / limit; values that are not finite are the worst.
 Warning of_bound(const BrokenBound& broken) {
   Warning text{.code = std::string(name_of(broken.bound)), .message = text_of(broken)};
   text.severity = broken.measured / broken.limit;
@@ -55,14 +55,14 @@ std::vector<CollectedText> collected_bounds(std::span<const CampaignRun> runs) {
 }
 
 std::string text_of(const CollectedText& text) {
-  std::string others;
+  std::string range;
   if (text.runs > 1 && text.worst_text == text.mildest_text)
-    others = fmt::format(" (and {}{}{})", counted(text.runs - 1, "more run"),
-                         text.worst_text.empty() ? "" : ": ", text.worst_text);
+    range = fmt::format(" (and {}{}{})", counted(text.runs - 1, "more run"),
+                        text.worst_text.empty() ? "" : ": ", text.worst_text);
   else if (text.runs > 1)
-    others = fmt::format(" (the worst of {} runs: {} to {})", text.runs,
-                         text.worst_text.empty() ? "not finite" : text.worst_text, text.mildest_text);
-  return fmt::format("{}: {}{}", text.place, text.message, others);
+    range = fmt::format(" (the worst of {} runs: {} to {})", text.runs,
+                        text.worst_text.empty() ? "not finite" : text.worst_text, text.mildest_text);
+  return fmt::format("{}: {}{}", text.place, text.message, range);
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// What many runs have to be told of, each kind once: the worst run's text, and the range of the others.
+// Warnings and broken bounds of many runs, each kind once: the text of the worst run, and the range of all.
 #pragma once
 
 #include <span>
@@ -11,10 +11,11 @@ namespace bendlab {
 
 /// A text of one kind, such as a warning's code, that several runs of an experiment have.
 struct CollectedText {
-  std::string kind, place, message;  ///< place and message of the worst run; of equal ones the first
+  /// `place` (the swept values) and `message` come from the worst run; ties go to the first run.
+  std::string kind, place, message;
   int runs = 0;
   double worst = 0, mildest = 0;             ///< severities
-  std::string worst_text{}, mildest_text{};  ///< the numbers that are so bad; empty if there are none
+  std::string worst_text{}, mildest_text{};  ///< the measured values there; empty if there are none
 };
 
 /// The warnings of runs of one experiment, one per code.

@@ -31,12 +31,12 @@ namespace bendlab {
 namespace {
 
 constexpr std::string_view footer =
-    "Exit codes: 0 ok, 1 a run or an expectation failed or a run is implausible, 2 usage, 3 config,\n"
-    "4 mesh, 5 files, 6 a run diverged, 130 and 143 stopped by a signal.\n"
-    "The first Ctrl-C finishes the frame and keeps it; the second one stops at once.\n"
-    "Data goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
+    "Exit codes: 0 success; 1 a run or an expectation failed, or a run is implausible; 2 wrong usage;\n3 "
+    "error in a config; 4 error in a mesh; 5 a file cannot be read or written; 6 a run diverged;\n130 and "
+    "143 stopped by a signal.\nThe first Ctrl-C stops after the current frame, which is kept; the second "
+    "Ctrl-C stops at once.\nData goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
 
-/// What the arguments were, and the command they chose.
+/// The values of the arguments, and the chosen command.
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
@@ -61,7 +61,7 @@ struct Arguments {
   std::function<int()> command;
 };
 
-// For --help: a command line that can be typed as it is, in a checkout with results.
+// Examples for --help: each can be typed as it is, in a checkout with results.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 25> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
@@ -100,30 +100,29 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name, con
   return added;
 }
 
-// An option whose default --help says.
+// An option whose default is shown by --help.
 template <class Value>
 CLI::Option* add_shown(CLI::App* command, const char* name, Value& value, const std::string& what) {
   return command->add_option(name, value, what)->capture_default_str();
 }
 
-// An option that may be given several times, with a value each.
+// An option that may be given several times, each time with one value.
 void add_repeatable(CLI::App* command, const char* type, const char* name, std::vector<std::string>& values,
                     const char* what) {
   command->add_option(name, values, what)->type_name(type)->allow_extra_args(false);
 }
 
 void add_results(CLI::App* command, std::string& folder) {
-  add_shown(command, "--results", folder, "Where a run's id is looked for");
+  add_shown(command, "--results", folder, "Folder in which to look for a run's id");
 }
 
 void add_configs(CLI::App* command, Arguments& arguments) {
-  command->add_option("CONFIG", arguments.configs.files, "JSON files of experiments")->required();
-  add_repeatable(
-      command, "/POINTER=VALUE", "--set", arguments.configs.overrides,
-      "Change a setting, such as /mesh/cells=64; a value (or a list of them) replaces a sweep of it. "
-      "Repeatable");
+  command->add_option("CONFIG", arguments.configs.files, "Config files (JSON)")->required();
+  add_repeatable(command, "/POINTER=VALUE", "--set", arguments.configs.overrides,
+                 "Change a setting, such as /mesh/cells=64. If the config sweeps this setting, the value or "
+                 "a list of values replaces the sweep of it. Repeatable");
   add_repeatable(command, "/POINTER=VALUES", "--sweep", arguments.configs.axes,
-                 "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable");
+                 "Vary one more setting, such as /bending/k=0.1,0.2. Repeatable");
 }
 
 void add_json(CLI::App* command, Arguments& arguments, const char* what) {
@@ -133,27 +132,28 @@ void add_json(CLI::App* command, Arguments& arguments, const char* what) {
 void add_jobs(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--jobs,-j", arguments.options.jobs,
-                   "How many runs to compute at a time (default: cores / threads of a run)")
+                   "Number of runs to compute at a time (default: number of cores / threads per run)")
       ->check(CLI::Range(1, 1024));
 }
 
 void add_checkpoint(CLI::App* command, Arguments& arguments) {
-  add_shown(command, "--checkpoint", arguments.options.checkpoint_interval_s,
-            "How often a run writes what it needs to go on after a crash, in s, where that takes at most "
-            "1 % of its time; 0: only when it is stopped")
+  add_shown(
+      command, "--checkpoint", arguments.options.checkpoint_interval_s,
+      "Seconds between two checkpoints of a run, from which the run continues after a crash. Checkpoints "
+      "take at most 1 % of a run's time. 0: write a checkpoint only when the run is stopped")
       ->check(CLI::NonNegativeNumber);
 }
 
 void add_campaign(CLI::App* command, Arguments& arguments) {
   add_jobs(command, arguments);
   command->add_flag("--force", arguments.options.force,
-                    "Compute complete runs again; each old file stays until the new one replaces it");
+                    "Compute complete runs again; each old file stays until the new file replaces it");
   add_checkpoint(command, arguments);
 }
 
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
-      add_command(app, a, "run", "Compute the runs of experiments that are not complete yet",
+      add_command(app, a, "run", "Compute all runs of the configs that are not complete yet",
                   [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
@@ -162,49 +162,53 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                 "Leave out effects that cannot act, and check that no bit of the result changes");
   CLI::Option* explain =
       run->add_flag("--explain", a.explain,
-                    "Print the step plan instead of the tables: each pass, why, its time, what it changed");
+                    "Instead of the tables of results, print what a step consists of: each pass (part of a "
+                    "step), why it is there, its time, and how much it changed");
   run->add_flag("--strict", a.strict,
-                "Treat warnings as errors; nothing is computed if some are known before the runs");
-  add_json(run, a, "One JSON object per run on stdout");
+                "Treat warnings as errors; if there are warnings before the runs begin, nothing is computed");
+  add_json(run, a, "Print one JSON object per run to stdout");
   run->get_option("--json")->excludes(explain);
 
-  CLI::App* plan =
-      add_command(app, a, "plan", "List the runs of experiments: place in the sweep, id, whether complete",
-                  [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
+  CLI::App* plan = add_command(
+      app, a, "plan",
+      "List the runs of the configs: swept values, id, state, and the time, memory and disk that each needs",
+      [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
   add_configs(plan, a);
-  plan->add_option("--write", a.plan, "Write the plan to a file, for 'bendlab work'")->type_name("PLAN");
+  plan->add_option("--write", a.plan, "Also write the plan to this file, for 'bendlab work'")
+      ->type_name("PLAN");
   add_shown(plan, "--out", a.options.out, "Folder of the results");
-  add_json(plan, a, "One JSON object per run");
+  add_json(plan, a, "Print one JSON object per run");
 
-  CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
+  CLI::App* validate = add_command(app, a, "validate", "Check configs and report every problem",
                                    [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
-  validate->add_flag("--strict", a.strict, "Build every run; treat warnings that are known then as errors");
+  validate->add_flag("--strict", a.strict,
+                     "Build the scene of every run, and treat the warnings that are then known as errors");
 
   CLI::App* reproduce =
-      add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",
+      add_command(app, a, "reproduce",
+                  "Run a set of the project's experiments and make the page with its figures and checks",
                   [&a] { return reproduce_command(a.options, a.reproduce); });
-  add_shown(
-      reproduce, "WHAT", a.reproduce.what,
-      "everything: the paper, then its ablations, every model and the scenes; paper: its figures alone; "
-      "stiffness: how stiff every model is, against theory; stability: which hard cases every model "
-      "survives; accuracy: what accuracy costs in time; plain: whether plain scenes go wrong without a "
-      "warning")
+  add_shown(reproduce, "WHAT", a.reproduce.what,
+            "everything: the paper, then its ablations, every model and the scenes; paper: only the figures "
+            "of the paper; stiffness: how stiff every model is, compared with theory; stability: which hard "
+            "cases every model survives; accuracy: how much time accuracy costs; plain: whether plain scenes "
+            "go wrong without a warning")
       ->check(CLI::IsMember(reproducible()));
   add_campaign(reproduce, a);
-  CLI::Option* full =
-      reproduce->add_flag("--full", a.reproduce.full, "Add what takes longest, such as resolution 256");
+  CLI::Option* full = reproduce->add_flag("--full", a.reproduce.full,
+                                          "Also run the configs that take longest, such as resolution 256");
   reproduce
       ->add_flag("--quick", a.reproduce.quick,
-                 "Leave out configs whose names end in _slow, of which paper and plain have none; the page "
-                 "says what is missing")
+                 "Leave out configs whose names end in _slow (paper and plain have no such configs); the "
+                 "page says what is missing")
       ->excludes(full);
   CLI::Option* out = reproduce->add_option(
       "--out", a.reproduce.out,
-      "Folder for runs and pages (default: runs in results of the checkout, pages in results/own there)");
+      "Folder for runs and pages (default: the checkout's folder results for runs, results/own for pages)");
   reproduce
       ->add_flag("--committed", a.reproduce.committed,
-                 "Replace the project's own page, which is committed, instead: for maintainers")
+                 "For maintainers: replace the project's own page, which is committed")
       ->excludes(out);
 }
 
@@ -217,19 +221,19 @@ void add_work_commands(CLI::App& app, Arguments& a) {
       add_command(app, a, "work", "Compute the runs of a plan, together with other processes and machines",
                   [&a] { return work_command(a.work, a.options, a.json); });
   add_plan_file(work, a.work.plan);
-  work->add_option(
-          "--shard", a.work.shard,
-          "Begin with the runs of part i of n, 0 ≤ i < n; the other runs follow, if nobody has begun "
-          "them (default: 0/1)")
+  work->add_option("--shard", a.work.shard,
+                   "Begin with the runs of part i of n, 0 ≤ i < n; then compute the other runs that nobody "
+                   "has begun (default: 0/1)")
       ->type_name("i/n");
   add_jobs(work, a);
   add_checkpoint(work, a);
-  add_json(work, a, "One JSON object per run that was computed here");
+  add_json(work, a, "Print one JSON object per run that was computed here");
 
-  CLI::App* status = add_command(app, a, "status", "Show how far the runs of a plan are, from any machine",
-                                 [&a] { return status_command(a.work.plan, a.json); });
+  CLI::App* status =
+      add_command(app, a, "status", "Show the progress of the runs of a plan, from any machine",
+                  [&a] { return status_command(a.work.plan, a.json); });
   add_plan_file(status, a.work.plan);
-  add_json(status, a, "One JSON object per run");
+  add_json(status, a, "Print one JSON object per run");
 
   CLI::App* submit =
       add_command(app, a, "submit", "Write a plan, and submit it to Slurm as a job array of workers",
@@ -237,19 +241,21 @@ void add_work_commands(CLI::App& app, Arguments& a) {
   add_configs(submit, a);
   add_shown(submit, "--out", a.options.out, "Folder for the results, on a disk that all machines share");
   submit
-      ->add_option(
-          "--tasks", a.submitted.tasks,
-          "Tasks of the array (default: as many as are expected to last a minute each, at most 1000)")
+      ->add_option("--tasks", a.submitted.tasks,
+                   "Number of tasks of the job array (default: as many as are each expected to last a minute "
+                   "or more, at most 1000)")
       ->check(CLI::Range(1, 100000));
-  add_shown(submit, "--cpus", a.submitted.cpus, "Cores of a task, and runs that it computes at a time")
+  add_shown(submit, "--cpus", a.submitted.cpus,
+            "Cores per task, and number of runs that a task computes at a time")
       ->check(CLI::Range(1, 1024));
   submit
       ->add_option("--time", a.submitted.time,
-                   "Time limit of a task, as sbatch takes it; a task that it stops goes on in the queue")
+                   "Time limit of a task, in the notation of sbatch; a task that reaches the limit is queued "
+                   "again and continues")
       ->type_name("TIME");
   add_repeatable(submit, "OPTION", "--sbatch", a.submitted.sbatch,
-                 "Another option for sbatch, as --sbatch=--mem=4G. Repeatable");
-  submit->add_flag("--dry-run", a.submitted.dry_run, "Print the batch file, and write and submit nothing");
+                 "Further option for sbatch, such as --sbatch=--mem=4G. Repeatable");
+  submit->add_flag("--dry-run", a.submitted.dry_run, "Only print the batch file; write and submit nothing");
 }
 
 void add_read_commands(CLI::App& app, Arguments& a) {
@@ -258,17 +264,17 @@ void add_read_commands(CLI::App& app, Arguments& a) {
   add_shown(list, "DIR", a.listed.folder, "Folder of results");
   add_repeatable(list, "/POINTER=VALUE", "--where", a.listed.where,
                  "Only runs whose config has this value, such as /mesh/cells=64. Repeatable");
-  list->add_option(
-          "--sort", a.listed.sort,
-          "By a number of the summary, such as drop, or a setting, such as /mesh/cells; smallest first")
+  list->add_option("--sort", a.listed.sort,
+                   "Sort by a metric of the summary, such as drop, or by a setting, such as /mesh/cells; "
+                   "smallest first")
       ->type_name("NAME");
-  add_json(list, a, "One JSON object per run");
+  add_json(list, a, "Print one JSON object per run");
 
   CLI::App* show = add_command(app, a, "show", "Show a run: summary, time per pass, provenance, config",
                                [&a] { return show_command(a.run, a.folder, a.json); });
   show->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
   add_results(show, a.folder);
-  add_json(show, a, "As one JSON object");
+  add_json(show, a, "Print one JSON object");
 }
 
 void add_compare_command(CLI::App& app, Arguments& a) {
@@ -276,11 +282,12 @@ void add_compare_command(CLI::App& app, Arguments& a) {
                                   [&a] { return compare_command(a.compared, a.json); });
   compare
       ->add_option("ONE", a.compared.one,
-                   "Run file, its folder, the beginning of its id, or the folder of a sweep")
+                   "Run file, its folder, the beginning of the run's id, or the folder of a sweep")
       ->required();
-  compare->add_option("OTHER", a.compared.other, "The same of the other")->required();
+  compare->add_option("OTHER", a.compared.other, "The run or sweep to compare with, named in the same way")
+      ->required();
   add_results(compare, a.compared.folder);
-  add_json(compare, a, "One JSON object per pair");
+  add_json(compare, a, "Print one JSON object per pair of runs");
 }
 
 void add_rerun_command(CLI::App& app, Arguments& a) {
@@ -289,48 +296,49 @@ void add_rerun_command(CLI::App& app, Arguments& a) {
                   [&a] { return rerun_command(a.repeated, a.json); });
   rerun->add_option("RUN", a.repeated.run, "Run file, its folder, or the beginning of the run's id")
       ->required();
-  rerun->add_option("--out", a.repeated.out, "Keep the repetition in this folder (default: it is not kept)");
+  rerun->add_option("--out", a.repeated.out, "Keep the new run in this folder (default: it is not kept)");
   add_results(rerun, a.repeated.folder);
-  add_json(rerun, a, "As one JSON object");
+  add_json(rerun, a, "Print one JSON object");
 }
 
 void add_page(CLI::App* command, Arguments& a, const char* name, const char* out) {
   command
       ->add_option(name, a.page.results,
-                   "Folders of results, run files, .sweep.json files, or the beginnings of runs' ids")
+                   "Folders of results, run files, .sweep.json files, configs, or the beginnings of run ids")
       ->required();
   command->add_option("-o,--out", a.page.out, out)->type_name("FILE");
   add_repeatable(command, "RUN", "--play", a.page.play,
-                 "A run to be played: the beginning of its id, or part of its folder's name. Repeatable "
-                 "(default: at most 8, every value of one axis, the others in the middle)");
+                 "A run to be shown as an animation: the beginning of its id, or a part of its folder's "
+                 "name. Repeatable (default: at most 8 runs, with every value of one swept setting and the "
+                 "middle value of the other swept settings)");
   add_results(command, a.page.folder);
 }
 
 void add_page_commands(CLI::App& app, Arguments& a) {
-  CLI::App* report = add_command(app, a, "report", "Make a page of any runs: how they move, charts, tables",
-                                 [&a] { return report_command(a.page); });
+  CLI::App* report =
+      add_command(app, a, "report", "Make a page of any runs, with animations, charts and tables",
+                  [&a] { return report_command(a.page); });
   add_page(report, a, "RESULT", "The page's file (default: report.html in the folder of the results)");
   report
       ->add_option("--figures", a.page.figures,
-                   "Write each chart as a file, too, into a folder 'figures' beside the page")
+                   "Also write each chart to a file, in the folder 'figures' beside the page")
       ->check(CLI::IsMember({"svg", "pdf", "png"}));
   const char* number =
-      "a number of the summary, such as ms_per_frame, vertices or error_physical_rms, or the "
-      "pointer of a setting";
-  CLI::Option* x =
-      report->add_option("--x", a.page.x, fmt::format("With --y: one more chart, against {}", number));
-  CLI::Option* y =
-      report->add_option("--y", a.page.y, fmt::format("With --x: one more chart, of {}", number));
+      "a metric of the summary, such as ms_per_frame, vertices or error_physical_rms, or the pointer of a "
+      "setting";
+  CLI::Option* x = report->add_option(
+      "--x", a.page.x, fmt::format("With --y, the horizontal axis of one more chart: {}", number));
+  CLI::Option* y = report->add_option(
+      "--y", a.page.y, fmt::format("With --x, the vertical axis of one more chart: {}", number));
   x->needs(y), y->needs(x);
 
   CLI::App* view =
       add_command(app, a, "view", "Watch runs in the browser", [&a] { return view_command(a.page); });
   add_page(view, a, "RUN", "The page's file (default: one in ~/.cache/bendlab)");
-  view->add_flag(
-      "--live", a.page.live,
-      "Serve a run that is going on at 127.0.0.1, under an address that nobody can guess; the page "
-      "gets new frames. Ctrl-C ends it");
-  view->add_flag("--no-open", a.page.no_open, "Only print where the page is");
+  view->add_flag("--live", a.page.live,
+                 "Show a run while it is being computed: serve its page at 127.0.0.1, under an address that "
+                 "nobody can guess, and add new frames to the page. Ctrl-C ends the server");
+  view->add_flag("--no-open", a.page.no_open, "Only print where the page is, and do not open the browser");
 }
 
 void add_export_command(CLI::App& app, Arguments& a) {
@@ -347,27 +355,30 @@ void add_export_command(CLI::App& app, Arguments& a) {
   }
   exported->footer(
       meanings +
-      "Obstacles go with the cloth, but for csv. Houdini, Maya and the defaults of Blender's OBJ importer\n"
-      "take y for up: --up y, or choose forward axis Y and up axis Z in Blender.\n" +
+      "Every format except csv also has the obstacles. In Houdini, Maya and the defaults of Blender's\nOBJ "
+      "importer the y axis is up: give --up y, or choose forward axis Y and up axis Z in Blender.\n" +
       exported->get_footer());
-  exported->add_option("--format", a.exported.format, "What to write, see below")
+  exported->add_option("--format", a.exported.format, "Format of the files, see below")
       ->required()
       ->check(CLI::IsMember(names));
   exported
       ->add_option("--to", a.exported.to,
-                   "Folder, or file where one file holds it all (default: export/FORMAT beside the run file)")
+                   "Folder to write into, or the file, if the format needs only one (default: export/FORMAT "
+                   "beside the run file)")
       ->type_name("DIR|FILE");
   exported
       ->add_option("--frames", a.exported.frames,
-                   "Which frames, such as 10:20, ::5 or -1; the first is 0, the last -1 (default: all)")
+                   "Which frames to write, such as 10:20, ::5 or -1; the first frame is 0, the last is -1 "
+                   "(default: all)")
       ->type_name("FIRST:LAST:STEP");
   exported
       ->add_option("--up", a.exported.up,
-                   "Turn the run so that this axis is up (default: as it is, z unless gravity says y)")
+                   "Turn the run so that this axis points up (default: do not turn; the direction of gravity "
+                   "tells whether y or z is up, without gravity it is z)")
       ->check(CLI::IsMember(std::vector<std::string>(up_axis_names.begin(), up_axis_names.end())));
   exported->add_flag("--force", a.exported.force, "Replace the files of an earlier export");
   add_results(exported, a.exported.folder);
-  add_json(exported, a, "As one JSON object");
+  add_json(exported, a, "Print one JSON object");
 }
 
 void add_stiffness_command(CLI::App& app, Arguments& a) {
@@ -386,10 +397,11 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
                    "Length at the clamp and at the free end that the fit of m(κ) leaves out, in m (default: "
                    "the constraints' reach)")
       ->check(CLI::NonNegativeNumber);
-  add_shown(stiffness, "--frame", a.stiffness.frame, "Which frame; negative numbers count from the end");
+  add_shown(stiffness, "--frame", a.stiffness.frame,
+            "Which frame to measure; negative numbers count from the end");
   stiffness->add_flag("--profile", a.stiffness.profile,
                       "Also print angle, curvature and moment along the strip");
-  add_json(stiffness, a, "As one JSON object");
+  add_json(stiffness, a, "Print one JSON object");
 }
 
 void add_advise_command(CLI::App& app, Arguments& a) {
@@ -397,7 +409,8 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       add_command(app, a, "advise", "Find the model, method, substeps, iterations and precision for a scene",
                   [&a] { return advise_command(a.advise, a.options, a.json); });
   advise
-      ->add_option("CONFIG", a.advise.file, "JSON file of the scene; it states the cloth's bending stiffness")
+      ->add_option("CONFIG", a.advise.file,
+                   "Config of the scene (JSON), which states the cloth's bending stiffness")
       ->required();
   advise
       ->add_option("--error", a.advise.error,
@@ -410,19 +423,21 @@ void add_advise_command(CLI::App& app, Arguments& a) {
   add_repeatable(advise, "/POINTER=VALUE", "--set", a.advise.overrides,
                  "Change a setting, such as /mesh/cells=64. Repeatable");
   add_shown(advise, "--what", a.advise.what,
-            "Error of the pose at rest, or of the motion (auto: rest if only loads and damping act)")
+            "Which error counts. rest: error of the pose at rest; motion: error of the motion; auto: rest if "
+            "only loads and damping act, else motion")
       ->check(CLI::IsMember({"auto", "rest", "motion"}));
-  advise->add_option("--models", a.advise.models, "Only these models, separated by commas")->delimiter(',');
-  advise->add_option("--methods", a.advise.methods, "Only these solver methods, separated by commas")
+  advise->add_option("--models", a.advise.models, "Try only these models, separated by commas")
+      ->delimiter(',');
+  advise->add_option("--methods", a.advise.methods, "Try only these solver methods, separated by commas")
       ->delimiter(',');
   add_shown(advise, "--time-limit", a.advise.time_limit,
-            "How long to take for it all, the reference too: 90s or 5min. What takes longer is predicted, "
-            "and marked so");
+            "Time limit of the whole search, including the reference: 90s or 5min. Settings that were not "
+            "tried by then are listed");
   advise->add_option("--write", a.advise.write, "Write the config with the advised settings to this file")
       ->type_name("FILE");
-  add_shown(advise, "--out", a.options.out, "Folder for the results; runs go to advise/ in it");
+  add_shown(advise, "--out", a.options.out, "Folder for the results; the runs go to its subfolder advise");
   add_jobs(advise, a);
-  add_json(advise, a, "As one JSON object");
+  add_json(advise, a, "Print one JSON object");
 }
 
 void add_mesh_command(CLI::App& app, Arguments& a) {
@@ -430,47 +445,55 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
       app, a, "mesh", "Check a mesh file and print the quality of its triangles",
       [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.mesh_copy, a.json); });
   mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
-  mesh->add_option("--bad-triangles", a.bad_triangles, "What to do with a bad mesh, as /mesh/bad_triangles")
+  mesh->add_option("--bad-triangles", a.bad_triangles,
+                   "What to do with a bad mesh, as the setting /mesh/bad_triangles")
       ->check(CLI::IsMember(std::vector<std::string>(bad_triangles_names.begin(), bad_triangles_names.end())))
       ->capture_default_str();
-  mesh->add_option("--write", a.mesh_copy, "Write the mesh as it was taken to this file (.obj, .ply or .off)")
+  mesh->add_option("--write", a.mesh_copy,
+                   "Write the mesh as it was accepted to this file (.obj, .ply or .off)")
       ->type_name("FILE");
   add_shown(mesh, "--needle-ratio", a.thresholds.needle_ratio,
-            "Ratio of longest to shortest edge from which a triangle is a needle")
+            "A triangle is a needle if its longest edge is at least this many times its shortest")
       ->check(CLI::Range(1.0, 1e9));
-  add_shown(mesh, "--cap-angle", a.thresholds.cap_angle, "Angle in degrees from which a triangle is a cap")
+  add_shown(mesh, "--cap-angle", a.thresholds.cap_angle,
+            "A triangle is a cap if one of its angles is at least this many degrees")
       ->check(CLI::Range(90.0, 180.0));
-  add_shown(mesh, "--small-angle", a.thresholds.small_angle, "Angle in degrees below which an angle is small")
+  add_shown(mesh, "--small-angle", a.thresholds.small_angle,
+            "An angle is small if it is below this many degrees")
       ->check(CLI::Range(0.0, 60.0));
-  add_json(mesh, a, "As one JSON object");
+  add_json(mesh, a, "Print one JSON object");
 }
 
 void add_bench_command(CLI::App& app, Arguments& a) {
   CLI::App* bench = add_command(app, a, "bench", "Measure what the solver costs on this machine",
                                 [&a] { return bench_command(a.bench, a.list, a.json); });
-  bench->add_option("--filter", a.bench.filter, "Only benchmarks whose name matches, and their oracles")
+  bench
+      ->add_option("--filter", a.bench.filter,
+                   "Only benchmarks whose names match, and their oracles (the scalar code)")
       ->type_name("REGEX");
-  bench->add_flag("--quick", a.bench.quick, "Small meshes, short repetitions: seconds instead of minutes");
-  add_shown(bench, "--repetitions", a.bench.repetitions, "Number of repetitions; their median counts")
+  bench->add_flag("--quick", a.bench.quick,
+                  "Small meshes and short repetitions: takes seconds instead of minutes");
+  add_shown(bench, "--repetitions", a.bench.repetitions, "Number of repetitions; the median is reported")
       ->check(CLI::Range(1, 1000));
-  add_shown(bench, "--threads", a.bench.threads, "Numbers of threads for whole steps, besides one")
+  add_shown(bench, "--threads", a.bench.threads,
+            "Numbers of threads for benchmarks of whole steps, besides one thread")
       ->check(CLI::Range(1, 256));
-  bench->add_flag("--list", a.list, "Print the benchmarks' names, measure nothing");
-  add_json(bench, a, "As JSON: the context and one object per row");
+  bench->add_flag("--list", a.list, "Only print the names of the benchmarks; measure nothing");
+  add_json(bench, a, "Print JSON: the context, and one object per row");
 }
 
-void add_reference(CLI::App& app, Arguments& a, const char* name, const char* summary, std::string (*text)(),
-                   Json (*json)()) {
+void add_documentation(CLI::App& app, Arguments& a, const char* name, const char* summary,
+                       std::string (*text)(), Json (*json)()) {
   CLI::App* command = add_command(app, a, name, summary, [&a, text, json] {
     print_text("{}\n", a.json ? json().dump(2) : text());
     return int{exit_ok};
   });
-  add_json(command, a, "As JSON");
+  add_json(command, a, "Print JSON");
 }
 
-// For checked_read.hpp.
+// The command that checked_read.hpp runs in a process of its own.
 void add_read_file_command(CLI::App& app, Arguments& a) {
-  CLI::App* read = add_command(app, a, "read-file", "Print what is known of a run file",
+  CLI::App* read = add_command(app, a, "read-file", "Print the record of a run file",
                                [&a] { return print_record(a.run); });
   read->group("");  // --help does not list it
   read->add_option("FILE", a.run)->required();
@@ -482,7 +505,8 @@ void add_completion_command(CLI::App& app, Arguments& a) {
                                        print_text("{}", completion_script(app, a.run));
                                        return int{exit_ok};
                                      });
-  completion->add_option("SHELL", a.run, "To be read by the shell: source <(bendlab completion bash)")
+  completion
+      ->add_option("SHELL", a.run, "The shell, which reads the script by: source <(bendlab completion bash)")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
 }
@@ -492,7 +516,7 @@ int test_command() {
       "the tests are built and run by the start script: ./bendlab test [ctest arguments], in the checkout");
 }
 
-/// CLI11's message, with the command that was probably meant.
+/// Prints CLI11's message; for an unknown command, the command that was probably meant.
 int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') {
     std::vector<std::string> names;
@@ -526,17 +550,17 @@ int dispatch(int argc, char** argv) {
   add_advise_command(app, arguments);
   add_mesh_command(app, arguments);
   add_bench_command(app, arguments);
-  add_reference(app, arguments, "models", "List the bending models: parameters, defaults, sources",
-                models_text, models_json);
-  add_reference(app, arguments, "effects", "List the effects: parameters, defaults, sources", effects_text,
-                effects_json);
-  add_reference(app, arguments, "measures",
-                "List the measures: their numbers, units, meanings, what they cost", measures_text,
-                measures_json);
-  add_reference(app, arguments, "methods", "List the solver methods: parameters, defaults, sources",
-                methods_text, methods_json);
-  add_reference(app, arguments, "schema", "List the settings of a config: units, defaults, ranges, meanings",
-                schema_text, schema_json);
+  add_documentation(app, arguments, "models", "List the bending models: settings, defaults, sources",
+                    models_text, models_json);
+  add_documentation(app, arguments, "effects", "List the effects: settings, defaults, sources", effects_text,
+                    effects_json);
+  add_documentation(app, arguments, "measures", "List the measures: their metrics, units, meanings and cost",
+                    measures_text, measures_json);
+  add_documentation(app, arguments, "methods", "List the solver methods: settings, defaults, sources",
+                    methods_text, methods_json);
+  add_documentation(app, arguments, "schema",
+                    "List the settings of a config: units, defaults, ranges, meanings", schema_text,
+                    schema_json);
   add_completion_command(app, arguments);
   add_read_file_command(app, arguments);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
@@ -555,8 +579,9 @@ int dispatch(int argc, char** argv) {
   return arguments.command();
 }
 
-// Where a standard stream is closed, the next file that is opened gets its number: a run file, for example,
-// which would get what is printed. Nothing can be written to this stdout, and everything to this stderr.
+// If a standard stream is closed, the next file that is opened gets the number of the stream. A run file, for
+// example, would then receive what is printed. So closed streams are opened on /dev/null: writing to such a
+// stdout fails, writing to such a stderr succeeds.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
@@ -576,7 +601,7 @@ int command_line(int argc, char** argv) {
   } catch (...) {
     const Failure failure = current_failure();
     std::fputs(fmt::format("bendlab: {}\n", printable(failure.message)).c_str(),
-               stderr);  // may be a full disk
+               stderr);  // cannot throw, even on a full disk
     return failure.exit_code;
   }
 }
@@ -584,7 +609,7 @@ int command_line(int argc, char** argv) {
 void leave(int exit_code) {
   std::fflush(nullptr);
 #ifdef __SANITIZE_ADDRESS__
-  std::exit(exit_code);  // leaks are looked for there
+  std::exit(exit_code);  // exit() looks for leaks
 #else
   std::_Exit(exit_code);
 #endif

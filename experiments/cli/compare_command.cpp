@@ -39,13 +39,13 @@ Json number_or_null(const std::optional<double>& number) {
 
 Json to_json(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
   Json settings = Json::array(), summary = Json::array();
-  for (const ChangedSetting& each : found.settings)
-    settings.push_back({{"pointer", each.pointer}, {"one", each.one}, {"other", each.other}});
-  for (const ChangedNumber& each : found.summary)
-    summary.push_back({{"name", each.name},
-                       {"one", number_or_null(each.one)},
-                       {"other", number_or_null(each.other)},
-                       {"relative", number_or_null(each.relative)}});
+  for (const ChangedSetting& setting : found.settings)
+    settings.push_back({{"pointer", setting.pointer}, {"one", setting.one}, {"other", setting.other}});
+  for (const ChangedNumber& metric : found.summary)
+    summary.push_back({{"name", metric.name},
+                       {"one", number_or_null(metric.one)},
+                       {"other", number_or_null(metric.other)},
+                       {"relative", number_or_null(metric.relative)}});
   return {{"one", one.file.string()},
           {"other", other.file.string()},
           {"same_bits", found.differing_parts.empty()},
@@ -59,22 +59,22 @@ Json to_json(const RunRecord& one, const RunRecord& other, const RunDifference& 
 void print_pair(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
   print_text("one:   {}  {}\nother: {}  {}\n", one.id, one.file.string(), other.id, other.file.string());
   if (found.differing_parts.empty())
-    print_text("\nfiles: the same bits in every frame, metric and number\n");
+    print_text("\nfiles: the same bits in every frame and metric\n");
   else
     print_text("\nfiles: {} differ in their bits: {}\n", counted(found.differing_parts.size(), "part"),
                fmt::join(found.differing_parts, ", "));
   if (found.settings.empty()) print_text("\nsettings: the same\n");
   if (!found.settings.empty()) {
     Table table({"setting", "one", "other"});
-    for (const ChangedSetting& each : found.settings)
-      table.add_row({each.pointer, text_of(each.one), text_of(each.other)});
+    for (const ChangedSetting& setting : found.settings)
+      table.add_row({setting.pointer, text_of(setting.one), text_of(setting.other)});
     print_text("\n{}", table.text());
   }
   if (found.summary.empty()) print_text("\nsummary: the same\n");
   if (!found.summary.empty()) {
-    Table table({"number", "one", "other", "change"});
-    for (const ChangedNumber& each : found.summary)
-      table.add_row({each.name, text_of(each.one), text_of(each.other), percent_of(each.relative)});
+    Table table({"metric", "one", "other", "change"});
+    for (const ChangedNumber& metric : found.summary)
+      table.add_row({metric.name, text_of(metric.one), text_of(metric.other), percent_of(metric.relative)});
     print_text("\n{}", table.text());
   }
   if (!found.no_cloth.empty()) print_text("\ncloths: not compared: {}\n", found.no_cloth);
@@ -86,14 +86,14 @@ void print_pair(const RunRecord& one, const RunRecord& other, const RunDifferenc
   }
 }
 
-// The runs of a folder by experiment and place on the sweep, in whatever order its axes are.
-struct RunsByPlace {
+// The runs of a folder by experiment and point of the sweep. The order of the axes does not matter.
+struct RunsByPoint {
   std::map<std::pair<std::string, std::string>, RunRecord> runs;
   std::set<std::string> experiments;
-  std::size_t others = 0;  // runs at a place that has several
+  std::size_t left_out = 0;  // runs at a point that has several runs
 
-  // Of several versions of a run the one that ended last.
-  explicit RunsByPlace(const fs::path& folder) {
+  // If a point has several runs, keeps the run that ended last.
+  explicit RunsByPoint(const fs::path& folder) {
     for (RunRecord& record : read_runs(folder)) {
       if (record.file.string().find("/references/") != std::string::npos) continue;
       const nlohmann::json point = nlohmann::json::parse(provenance_text(record, "point"), nullptr, false);
@@ -101,12 +101,12 @@ struct RunsByPlace {
       const auto [place, is_new] =
           runs.try_emplace({record.name, point.is_object() ? point.dump() : "{}"}, record);
       if (is_new) continue;
-      ++others;
+      ++left_out;
       if (provenance_text(place->second, "ended") <= provenance_text(record, "ended"))
         place->second = std::move(record);
     }
   }
-  // Two sweeps under other names can be compared.
+  // Drops the experiments' names, so that two sweeps with different names can be compared.
   void forget_experiment() {
     decltype(runs) nameless;
     for (auto& [place, run] : runs) nameless.emplace(std::pair("", place.second), std::move(run));
@@ -119,9 +119,9 @@ bool has_many_runs(const std::string& argument) {
   return !fs::exists(fs::path(argument) / "run.vtkhdf") && unfinished_files(argument).empty();
 }
 
-// Two sweeps, point by point: the numbers that most people look at.
+// Compares two sweeps point by point, by the metrics that most people look at.
 int compare_sweeps(const CompareArguments& arguments, bool json) {
-  RunsByPlace ones(arguments.one), others(arguments.other);
+  RunsByPoint ones(arguments.one), others(arguments.other);
   if (ones.experiments.size() == 1 && others.experiments.size() == 1)
     ones.forget_experiment(), others.forget_experiment();
   const std::vector<std::string> names = {"mean_strain", "max_stretch", "drop", "step_cpu_s"};
@@ -157,15 +157,14 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
     throw UsageError(
         fmt::format("'{}' and '{}' have no point of a sweep in common", arguments.one, arguments.other));
   if (!json)
-    print_text("{}{} in both; {} only in one, {} only in other\n", table.text(), counted(in_both, "point"),
+    print_text("{}{} in both, {} only in ONE, {} only in OTHER\n", table.text(), counted(in_both, "point"),
                ones.runs.size() - in_both, others.runs.size() - in_both);
   for (const auto& [folder, runs] : {std::pair(&arguments.one, &ones), std::pair(&arguments.other, &others)})
-    if (runs->others > 0)
-      print_text(
-          stderr,
-          "bendlab: '{}' has several runs at some places; of these the one that ended last is compared "
-          "({} left out). Compare single runs by their ids\n",
-          *folder, counted(runs->others, "run"));
+    if (runs->left_out > 0)
+      print_text(stderr,
+                 "bendlab: '{}' has several runs at some points of the sweep. Of these only the run that "
+                 "ended last was compared ({} left out). To compare other runs, name them by their ids\n",
+                 *folder, counted(runs->left_out, "run"));
   return exit_ok;
 }
 

@@ -13,7 +13,7 @@
 namespace bendlab {
 namespace {
 
-// What the time outside of the steps goes to.
+// What takes time outside of the steps.
 constexpr std::array around_the_steps = {
     MethodPass{"set_up", "mesh, constraints, colouring; once"},
     MethodPass{"recording", "/output: metrics and the run file"},
@@ -37,8 +37,8 @@ std::string reason_of(const std::string& pass, const RunConfig& config, const st
   return "";
 }
 
-// Effects that changed nothing: without a pass, or with passes that never acted.
-std::string idle_text(const RunOutcome& outcome, const std::vector<Effect>& effects) {
+// Lists the effects that changed nothing: they have no pass, or their passes never acted.
+std::string ineffective_text(const RunOutcome& outcome, const std::vector<Effect>& effects) {
   std::string text;
   for (std::size_t index = 0; index < effects.size(); ++index) {
     std::uint64_t acted = 0;
@@ -50,7 +50,7 @@ std::string idle_text(const RunOutcome& outcome, const std::vector<Effect>& effe
                         has_pass ? "ran and changed nothing" : "has no pass in this scene");
   }
   return text.empty() ? "every listed effect did something in this run\n"
-                      : "did nothing in this run and may be dropped:\n" + text;
+                      : "did nothing in this run and can be removed from the config:\n" + text;
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ std::string explain_text(const CampaignRun& run) {
                    fmt::format("{:.1f}", 1e3 * pass.seconds),
                    fmt::format("{:.1f} %", all > 0 ? 100 * pass.seconds / all : 0.0)});
   return fmt::format("step plan of {}\n\n{}\n{}", run_text(run), table.text(),
-                     idle_text(*run.outcome, effects));
+                     ineffective_text(*run.outcome, effects));
 }
 
 }  // namespace bendlab

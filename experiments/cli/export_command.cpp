@@ -1,4 +1,4 @@
-// `bendlab export`: a run for other programs.
+// `bendlab export`: writes a run for other programs.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -14,14 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void tell(const std::string& what) {
+void report_unreadable(const std::string& what) {
   print_text(stderr, "bendlab: {}\n", what);
 }
 
 }  // namespace
 
 std::vector<RunRecord> read_runs(const fs::path& folder) {
-  return read_runs(folder, tell);
+  return read_runs(folder, report_unreadable);
 }
 
 std::vector<fs::path> files_by_id(const std::string& beginning, const fs::path& folder) {
@@ -38,18 +38,19 @@ std::optional<fs::path> only_run(const std::string& run, const std::vector<fs::p
   if (files.size() == 1) return files.front();
   std::string all;
   for (const fs::path& file : files) all += "\n  " + file.string();
-  throw UsageError(fmt::format("'{}' could be any of {} runs; which one?{}", run, files.size(), all));
+  throw UsageError(
+      fmt::format("'{}' could be any of these {} runs; name a single run:{}", run, files.size(), all));
 }
 
 RunRecord find_run(const std::string& run, const fs::path& folder) {
-  std::error_code none;  // a name that no file can have names no file
+  std::error_code none;  // ignored: an impossible file name is no file
   if (fs::is_regular_file(run, none)) return read_checked(run);
   const bool is_folder = fs::is_directory(run, none);
   if (const auto file = only_run(run, is_folder ? find_run_files(run) : files_by_id(run, folder)))
     return read_checked(*file);
   throw UsageError(
-      fmt::format("'{}' is no run file, no folder with one, and no run in '{}' has an id that begins "
-                  "with it; 'bendlab list {}' shows what is there",
+      fmt::format("'{}' is not a run file and not a folder with a run file, and no run in '{}' has an id "
+                  "that begins like this; 'bendlab list {}' lists the runs in this folder",
                   run, folder.string(), folder.string()));
 }
 

@@ -1,4 +1,4 @@
-// The runs below a folder, and the one that a command's argument means.
+// Finds the runs below a folder, and the run that an argument of a command names.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,21 @@
 
 namespace bendlab {
 
-/// The readable runs below a folder, by path; says on stderr which are not. Throws RunFileError if there is
-/// no such folder.
+/// The readable runs below a folder, sorted by path. Reports unreadable files on stderr. Throws RunFileError
+/// if there is no such folder.
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder);
 
-/// Files of the runs in a folder whose ids begin with this text; none if there is no such folder.
+/// The files of the runs in `folder` whose ids begin with `beginning`. Empty if there is no such folder.
 std::vector<std::filesystem::path> files_by_id(const std::string& beginning,
                                                const std::filesystem::path& folder);
 
-/// The file that `run` names, or nothing. Throws UsageError if it may be several.
+/// The only entry of `files`, or nothing if `files` is empty. Throws UsageError if the argument `run` could
+/// mean several files.
 std::optional<std::filesystem::path> only_run(const std::string& run,
                                               const std::vector<std::filesystem::path>& files);
 
-/// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`. Throws
-/// UsageError if that is no run, or several.
+/// The run that an argument names: a run file, a folder with a run file, or the beginning of the id of a run
+/// in `folder`. Throws UsageError if there is no such run, or if there are several.
 RunRecord find_run(const std::string& run, const std::filesystem::path& folder);
 
 }  // namespace bendlab

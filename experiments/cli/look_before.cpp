@@ -23,7 +23,7 @@ struct ToBuild {
   double expected_s;
 };
 
-// Of the runs that are built alike the first; what takes least comes first.
+// The first of all runs that are built alike. The run that is built fastest comes first.
 std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
   std::vector<ToBuild> distinct;
   std::set<std::string> seen;
@@ -33,26 +33,27 @@ std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
   return distinct;
 }
 
-// Runs that cannot be built, for one reason.
+// Runs that cannot be built, all for the same reason.
 struct Refused {
   CampaignRun first;
   Failure failure;
-  std::size_t others = 0;
+  std::size_t more_runs = 0;
 };
 
 void add(std::vector<Refused>& refused, const CampaignRun& run, const Failure& failure) {
-  for (Refused& each : refused)
-    if (each.failure.message == failure.message) {
-      ++each.others;
+  for (Refused& known : refused)
+    if (known.failure.message == failure.message) {
+      ++known.more_runs;
       return;
     }
   refused.push_back({run, failure});
 }
 
-void tell(const std::vector<Refused>& refused) {
-  for (const Refused& each : refused)
-    print_text(stderr, "bendlab: {}{}: {}\n", run_text(each.first),
-               each.others == 0 ? "" : fmt::format(" and {} more", each.others), each.failure.message);
+void print_refusals(const std::vector<Refused>& refused) {
+  for (const Refused& reason : refused)
+    print_text(stderr, "bendlab: {}{}: {}\n", run_text(reason.first),
+               reason.more_runs == 0 ? "" : fmt::format(" and {} more", reason.more_runs),
+               reason.failure.message);
 }
 
 }  // namespace
@@ -72,27 +73,27 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
     std::vector<CampaignRun> built;
     std::vector<Refused> refused;
     std::size_t tried = 0;
-    for (const ToBuild& each : distinct) {
+    for (const ToBuild& next : distinct) {
       const double passed_s = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (!all && passed_s + each.expected_s > most_s) break;
+      if (!all && passed_s + next.expected_s > most_s) break;
       ++tried;
-      CampaignRun run{.experiment = &experiment, .config = each.config};
+      CampaignRun run{.experiment = &experiment, .config = next.config};
       try {
-        run.outcome = RunOutcome{.warnings = set_up(experiment, *each.config)};
+        run.outcome = RunOutcome{.warnings = set_up(experiment, *next.config)};
         built.push_back(std::move(run));
       } catch (...) {
         add(refused, run, current_failure());
       }
     }
-    tell(refused);
+    print_refusals(refused);
     tell_warnings(built);
     if (known.exit_code == exit_ok && !refused.empty()) known.exit_code = refused.front().failure.exit_code;
     known.warnings += collected_warnings(built).size();
     if (tried < distinct.size())
-      print_text(
-          stderr,
-          "bendlab: {}: {} of {} built, the others would take longer than {:.0f} s; --strict builds all\n",
-          experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
+      print_text(stderr,
+                 "bendlab: {}: {} of {} checked, because to check all would take longer than {:.0f} s; "
+                 "--strict checks all\n",
+                 experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
   }
   return known;
 }

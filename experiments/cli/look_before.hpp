@@ -1,4 +1,4 @@
-// What is wrong with runs, or doubtful, before they are computed.
+// Finds errors and warnings of runs before the runs are computed.
 #pragma once
 
 #include <span>
@@ -11,15 +11,15 @@ namespace bendlab {
 /// Prints each warning of an experiment once, with the first run that has it.
 void tell_warnings(std::span<const CampaignRun> runs);
 
-/// What is known of runs before they are computed.
+/// What is known about runs before they are computed.
 struct KnownBefore {
   std::size_t warnings = 0;
-  int exit_code = 0;  ///< of the first run that cannot be built
+  int exit_code = 0;  ///< of the first run that cannot be built; 0 if every run can
 };
 
-/// Builds all that the runs have before their first step (set_up.hpp), once for those that are built alike,
-/// what takes least first. Prints warnings, and why a run cannot be built, each once per experiment. Unless
-/// `all` are asked for, stops after ten seconds, and says how many were built.
+/// Builds all that the runs have before their first step (set_up.hpp), only once for runs that are built
+/// alike. The run that is built fastest comes first. Prints warnings, and why runs cannot be built, each text
+/// once per experiment. Unless `all` is true, stops after ten seconds and prints how many runs were built.
 KnownBefore look_before(const std::vector<Experiment>& experiments, bool all);
 
 }  // namespace bendlab

@@ -1,4 +1,5 @@
-// What `bendlab mesh` says about a mesh: its counts, the paper's levels, and the quality of its triangles.
+// What `bendlab mesh` prints about a mesh: counts, the paper's coarse levels, and the quality of the
+// triangles.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,14 +10,14 @@
 
 namespace bendlab {
 
-/// For a terminal. The mesh has to have passed diagnose().
+/// The report as text for a terminal. The mesh must have passed diagnose().
 std::string mesh_report(const TriangleMesh& mesh, std::string_view name,
                         const QualityThresholds& thresholds = {});
 
-/// The same as {name, vertices, triangles, edges, boundary_edges, pieces, euler_number, size_m: [x, y, z],
-/// mean_edge_length_m, levels: {omega_m, m_unrounded, m, n}, quality: {measure: {unit, minimum, percentile_1,
-/// median, percentile_99, maximum}}, counts, thresholds}. An infinite value is the text "infinity", which
-/// JSON has no number for.
+/// The same report as JSON: {name, vertices, triangles, edges, boundary_edges, pieces, euler_number, size_m:
+/// [x, y, z], mean_edge_length_m, levels: {omega_m, m_unrounded, m, n}, quality: {measure: {unit, minimum,
+/// percentile_1, median, percentile_99, maximum}}, counts, thresholds}. An infinite value is the text
+/// "infinity", because JSON has no such number.
 nlohmann::ordered_json mesh_report_json(const TriangleMesh& mesh, std::string_view name,
                                         const QualityThresholds& thresholds = {});
 

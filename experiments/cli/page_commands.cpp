@@ -1,4 +1,4 @@
-// `bendlab report` and `bendlab view`: a page of any runs. Python makes it (analysis/sweep_page.py, live.py).
+// `bendlab report` and `bendlab view`: a page of any runs, made by Python (analysis/report.py, live.py).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -33,7 +33,7 @@ bool has_sweep_file(const fs::path& folder) {
                              [](const fs::directory_entry& entry) { return is_sweep_file(entry.path()); });
 }
 
-/// "; did you mean 'results/first'?": the nearest name beside the path, or in the folder of results.
+/// "; did you mean 'results/first'?", with the most similar name beside the path or in the folder of results.
 std::string nearest_result(const fs::path& result, const fs::path& folder) {
   const std::string name = result.filename().string();
   for (const fs::path& place : {result.parent_path(), folder}) {
@@ -49,17 +49,17 @@ std::string nearest_result(const fs::path& result, const fs::path& folder) {
   return "";
 }
 
-/// The sweep of a config: what `run` wrote into the folder of results.
+/// The sweep file that `run` wrote for a config into the folder of results, or the folder of its runs.
 fs::path sweep_of(const fs::path& config, const fs::path& folder) {
   const Experiment experiment = load_experiment(config);
   const fs::path sweep = sweep_file(folder, experiment), runs = folder / experiment.name;
   if (fs::is_regular_file(sweep)) return sweep;
-  if (fs::is_directory(runs) && has_sweep_file(runs)) return runs;  // with other settings (--set)
+  if (fs::is_directory(runs) && has_sweep_file(runs)) return runs;  // runs with other settings (--set)
   throw UsageError(fmt::format("there are no runs of the config '{}' in '{}'; 'bendlab run {}' computes them",
                                config.string(), runs.string(), config.string()));
 }
 
-/// What an argument means: a folder with runs, a sweep's file, a config or a run's file.
+/// The result that an argument names: a folder with runs, a sweep file, a config, a run file or a run's id.
 fs::path found_result(const std::string& result, const fs::path& folder) {
   const fs::path path = result;
   if (fs::is_regular_file(path) && path.extension() == ".json" && !is_sweep_file(path))
@@ -68,7 +68,7 @@ fs::path found_result(const std::string& result, const fs::path& folder) {
   if (fs::is_directory(path)) {
     if (has_sweep_file(path) || !find_run_files(path).empty()) return path;
     throw UsageError(fmt::format(
-        "there are no runs in '{}'; 'bendlab run CONFIG --out DIR' computes some in DIR", result));
+        "there are no runs in '{}'; 'bendlab run CONFIG --out DIR' computes runs into DIR", result));
   }
   const bool may_be_id = !result.empty() && std::ranges::all_of(result, [](unsigned char character) {
     return std::isxdigit(character) != 0;
@@ -76,13 +76,14 @@ fs::path found_result(const std::string& result, const fs::path& folder) {
   if (may_be_id)
     if (const std::optional<fs::path> file = only_run(result, files_by_id(result, folder))) return *file;
   throw UsageError(fmt::format(
-      "'{}' is no folder of results, no run file, and no run in '{}' has an id that begins with "
-      "it{} 'bendlab list {}' shows what is there",
+      "'{}' is not a folder of results and not a run file, and no run in '{}' has an id that begins like "
+      "this{} 'bendlab list {}' lists the runs in this folder",
       result, folder.string(), nearest_result(path, folder).empty() ? ";" : nearest_result(path, folder),
       folder.string()));
 }
 
-/// The page of one result lies in its folder, that of several where they have a folder in common.
+/// The default file of the page: in the result's folder, or in the innermost common folder of several
+/// results.
 fs::path default_page(const std::vector<fs::path>& results) {
   const auto home = [](const fs::path& result) {
     const fs::path whole = fs::canonical(result);
@@ -101,19 +102,19 @@ fs::path default_page(const std::vector<fs::path>& results) {
   return near.string().starts_with("..") ? page : near;
 }
 
-/// The command as the page tells it.
-std::string told_command(const char* command, const PageArguments& arguments) {
-  std::string told = fmt::format("./bendlab {}", command);
-  for (const std::string& result : arguments.results) told += " " + shell_quoted(result);
-  for (const std::string& run : arguments.play) told += " --play " + shell_quoted(run);
-  if (!arguments.out.empty()) told += " -o " + shell_quoted(arguments.out.string());
-  if (!arguments.figures.empty()) told += " --figures " + arguments.figures;
+/// The command as it is printed on the page.
+std::string command_text(const char* command, const PageArguments& arguments) {
+  std::string text = fmt::format("./bendlab {}", command);
+  for (const std::string& result : arguments.results) text += " " + shell_quoted(result);
+  for (const std::string& run : arguments.play) text += " --play " + shell_quoted(run);
+  if (!arguments.out.empty()) text += " -o " + shell_quoted(arguments.out.string());
+  if (!arguments.figures.empty()) text += " --figures " + arguments.figures;
   if (!arguments.x.empty())
-    told += fmt::format(" --x {} --y {}", shell_quoted(arguments.x), shell_quoted(arguments.y));
-  return told;
+    text += fmt::format(" --x {} --y {}", shell_quoted(arguments.x), shell_quoted(arguments.y));
+  return text;
 }
 
-/// Python with a script of the checkout, and what every page needs to be told.
+/// The command line of Python with a script of the checkout, and the arguments that every page needs.
 std::vector<std::string> script_call(const char* script, const char* command, const PageArguments& arguments,
                                      const std::vector<fs::path>& results) {
   const fs::path path = fs::path(BENDLAB_SOURCE_DIR) / "analysis" / script;
@@ -123,7 +124,7 @@ std::vector<std::string> script_call(const char* script, const char* command, co
                     "'{}' is not there: run ./bendlab {} in a checkout",
                     command, path.string(), command));
   std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--command",
-                                   told_command(command, arguments)};
+                                   command_text(command, arguments)};
   for (const std::string& run : arguments.play) call.push_back("--play=" + run);
   if (!arguments.figures.empty()) call.push_back("--figures=" + arguments.figures);
   if (!arguments.x.empty()) call.insert(call.end(), {"--x=" + arguments.x, "--y=" + arguments.y});
@@ -133,7 +134,7 @@ std::vector<std::string> script_call(const char* script, const char* command, co
 }
 
 int page_code(const std::vector<std::string>& call) {
-  const int code = run_program(call);  // says where the page is, or what was wrong
+  const int code = run_program(call);  // prints where the page is, or what was wrong
   if (code == exit_ok || code == exit_usage || code == exit_io || code >= 128) return code;
   if (code == 127) print_text(stderr, "bendlab: Python could not be started: {}\n", fmt::join(call, " "));
   return exit_failed;
@@ -150,7 +151,7 @@ std::vector<fs::path> found_results(const PageArguments& arguments) {
 
 int report_command(const PageArguments& arguments) {
   const std::vector<fs::path> results = found_results(arguments);
-  std::vector<std::string> call = script_call("sweep_page.py", "report", arguments, results);
+  std::vector<std::string> call = script_call("report.py", "report", arguments, results);
   const fs::path page = arguments.out.empty() ? default_page(results) : arguments.out;
   call.insert(call.begin() + 2, "--out=" + page.string());
   return page_code(call);
@@ -159,14 +160,14 @@ int report_command(const PageArguments& arguments) {
 int view_command(const PageArguments& arguments) {
   const std::vector<fs::path> results = found_results(arguments);
   if (arguments.live && results.size() != 1)
-    throw UsageError("--live shows one run: name one that is going on, by its folder");
+    throw UsageError("--live shows one run: name the folder of a run that is being computed");
   std::vector<std::string> call =
-      script_call(arguments.live ? "live.py" : "sweep_page.py", "view", arguments, results);
+      script_call(arguments.live ? "live.py" : "report.py", "view", arguments, results);
   if (!arguments.live)
     call.insert(call.begin() + 2, arguments.out.empty() ? "--cached" : "--out=" + arguments.out.string());
   if (!arguments.no_open) call.insert(call.begin() + 2, "--open");
   if (!arguments.live) return page_code(call);
-  std::vector<char*> argv;  // the server takes this process over, and with it Ctrl-C
+  std::vector<char*> argv;  // the server replaces this process, and so receives Ctrl-C
   for (std::string& argument : call) argv.push_back(argument.data());
   argv.push_back(nullptr);
   execv(argv.front(), argv.data());

@@ -67,7 +67,7 @@ void print_section(const char* heading, const std::map<std::string, std::string>
   print_text("\n{}", table.text());
 }
 
-// Throws UsageError unless a run has that setting, or with a name that is no pointer that number.
+// Throws UsageError unless a run has `name`: the setting, if it is a pointer, else the metric.
 void require_known(const std::vector<RunRecord>& records, const char* option, const std::string& name) {
   std::vector<std::string> known;
   for (const RunRecord& record : records) {
@@ -78,15 +78,15 @@ void require_known(const std::vector<RunRecord>& records, const char* option, co
       for (const auto& [pointer, value] : flat.items()) known.push_back(pointer);
     } else {
       if (record.summary.contains(name)) return;
-      for (const auto& [number, value] : record.summary) known.push_back(number);
+      for (const auto& [metric, value] : record.summary) known.push_back(metric);
     }
   }
   if (records.empty()) return;
   throw UsageError(fmt::format("{}: no run has the {} '{}'{}", option,
-                               name.starts_with('/') ? "setting" : "number", name, suggestion(name, known)));
+                               name.starts_with('/') ? "setting" : "metric", name, suggestion(name, known)));
 }
 
-// The runs whose configs have all these values.
+// The runs whose configs have all values of `where`.
 std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<std::string>& where) {
   std::vector<std::pair<std::string, std::string>> wanted;
   for (const std::string& text : where) {
@@ -108,7 +108,7 @@ std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<
   return records;
 }
 
-// Runs without that number come last.
+// Runs that do not have `name` come last.
 void sort_by(std::vector<RunRecord>& records, const std::string& name) {
   const auto key = [&](const RunRecord& record) -> std::pair<bool, Json> {
     if (name.starts_with('/')) {
@@ -192,7 +192,7 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
     print_text("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
   }
   std::map<std::string, std::string> provenance = record.provenance;
-  for (const char* told : {"implausible", "warnings"}) provenance.erase(told);
+  for (const char* printed : {"implausible", "warnings"}) provenance.erase(printed);
   print_section("provenance", provenance);
   print_text("\nconfig\n{}\n", description.at("config").dump(2, ' ', false, Json::error_handler_t::replace));
   return exit_ok;
@@ -200,11 +200,11 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
 
 namespace {
 
-// What each policy would make of a file that was refused.
+// What each other policy would do with a file that was refused.
 std::string policies_text(const fs::path& file) try {
   const PolygonSoup soup = read_polygon_soup(file);
   if (soup.triangles.empty()) return "";
-  std::string text = "\n/mesh/bad_triangles (here: --bad-triangles) would";
+  std::string text = "\nother choices of /mesh/bad_triangles (here: --bad-triangles) would";
   for (std::size_t p = 1; p < bad_triangles_names.size(); ++p) try {
       const AcceptedMesh accepted = accept(soup, static_cast<BadTriangles>(p));
       text += fmt::format("\n  {}: take it with {} vertices and {}\n    {}", bad_triangles_names[p],
@@ -214,7 +214,7 @@ std::string policies_text(const fs::path& file) try {
       text += fmt::format("\n  {}: refuse it too", bad_triangles_names[p]);
     }
   return text;
-} catch (const MeshFileError&) {  // not a mesh at all
+} catch (const MeshFileError&) {  // no policy can read the file
   return "";
 }
 

@@ -20,12 +20,13 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(run.experiment->expectations, *run.config, run.outcome->summary);
 }
 
-/// What the run itself says, if it has no such metric.
+/// The message of the run, if the run does not have the metric.
 std::string why_missing(const CampaignRun& run, const ExpectationResult& result) {
-  return result.measured || run.outcome->message.empty() ? "" : "; the run says: " + run.outcome->message;
+  return result.measured || run.outcome->message.empty() ? ""
+                                                         : "; message of the run: " + run.outcome->message;
 }
 
-/// A line per expectation and run where it does not hold.
+/// A line per run and expectation that does not hold in this run.
 std::string failed_expectations(std::span<const CampaignRun> runs) {
   std::string text;
   for (const CampaignRun& run : runs)
@@ -62,8 +63,8 @@ std::string held_expectations(std::span<const CampaignRun> runs) {
   return text;
 }
 
-/// A line per bound that was broken, and per code of the warnings.
-std::string told_text(std::span<const CampaignRun> runs) {
+/// A line per broken bound, and per warning code.
+std::string verdicts_and_warnings(std::span<const CampaignRun> runs) {
   std::string text;
   for (const CollectedText& broken : collected_bounds(runs))
     text += fmt::format("{} {}\n", coloured("implausible", Colour::red, stdout), text_of(broken));
@@ -87,7 +88,8 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// Wall and CPU time of the runs (reused ones: when they were computed), and which passes took it.
+/// Wall and CPU time of the runs, and the passes that took it. For reused runs, the time when they were
+/// computed.
 std::string time_text(std::span<const CampaignRun> runs) {
   double wall_s = 0, cpu_s = 0;
   std::vector<PassTime> passes;
@@ -130,7 +132,7 @@ Json run_json(const CampaignRun& run) {
   if (id.empty()) {
     try {
       id = run_id(*run.config);
-    } catch (const std::exception&) {  // the mesh file it is a hash of can't be read: `message` says so
+    } catch (const std::exception&) {  // the id needs a file that can't be read: see `message`
     }
   }
   return {{"id", id},
@@ -156,7 +158,7 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n\n" + run_table(runs) + "\n" + measure_tables(runs) + time_text(runs) + "\n";
-  return text + held_expectations(runs) + failed_expectations(runs) + told_text(runs);
+  return text + held_expectations(runs) + failed_expectations(runs) + verdicts_and_warnings(runs);
 }
 
 std::string experiment_line(std::span<const CampaignRun> runs) {

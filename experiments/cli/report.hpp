@@ -1,4 +1,5 @@
-// What `bendlab run` says about its runs: a line of JSON or the step plan of each, or a table per experiment.
+// What `bendlab run` prints about its runs: a line of JSON per run, a step plan per run, or a table per
+// experiment.
 #pragma once
 
 #include <span>
@@ -13,18 +14,20 @@ namespace bendlab {
 /// expectations, implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.
 Json run_json(const CampaignRun& run);
 
-/// Swept values, the main numbers, those that the experiment expects, and how each run ended.
+/// A row per run: swept values, the main metrics, the metrics that the experiment expects, and how the run
+/// ended.
 std::string run_table(std::span<const CampaignRun> runs);
 
-/// A table for each measure that /output/measures asks for, below its name; "" if none has a number.
+/// A table for each measure that /output/measures names, below the measure's name; "" if the runs have no
+/// metric of them.
 std::string measure_tables(std::span<const CampaignRun> runs);
 
-/// Swept values and the main numbers, a row per run; where the time went; which expectations hold; what made
-/// runs implausible, and their warnings. `runs` are those of one experiment.
+/// The table of runs; what took the time; which expectations hold; what made runs implausible, and their
+/// warnings. `runs`: the runs of one experiment.
 std::string experiment_text(std::span<const CampaignRun> runs);
 
-/// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", and a further line per expectation
-/// that does not hold.
+/// A summary on one line, "fig5: 160 runs, 160 complete (3 reused), …", and a line per expectation that does
+/// not hold.
 std::string experiment_line(std::span<const CampaignRun> runs);
 
 /// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its

@@ -1,4 +1,4 @@
-// `bendlab reproduce`: experiments of the checkout, then the page of their figures and checks.
+// `bendlab reproduce`: runs experiments of the checkout, then draws the page of their figures and checks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,39 +18,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Experiments, and the script that draws them when they are there.
+/// Experiments that are run together; the page is drawn after them.
 struct PageStage {
   std::array<std::string_view, 3> configs;  ///< folders or files below configs/
-  std::string_view script;                  ///< below analysis/
-  std::string_view option{};                ///< of the script
+  std::string_view option{};                ///< an option for analysis/page.py
 };
 
-/// Something to reproduce, in stages: a picture is there while the later stages still run.
+/// A set of experiments with a page. It has stages so that a first picture is drawn before the later stages
+/// run.
 struct Reproducible {
-  std::string_view name, page;  ///< the folder of its page
+  std::string_view name, page;  ///< `page`: its name for analysis/page.py, and the name of its folder
   std::array<PageStage, 3> stages;
 };
 
-constexpr PageStage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
-constexpr PageStage whole_paper = {{"paper", "recommended.json"}, "page.py", "--only=paper"};
+constexpr PageStage first_figure = {{"paper/fig1.json"}, "--figure=fig_1"};
+constexpr PageStage whole_paper = {{"paper", "recommended.json"}};
 constexpr std::array reproducibles = {
-    Reproducible{
-        "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
+    Reproducible{"everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}}}},
     Reproducible{"paper", "paper", {first_figure, whole_paper}},
-    Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}, "stiffness_page.py"}}},
-    Reproducible{
-        "stability", "stability", {PageStage{{"stability", "one_pin", "methods"}, "stability_page.py"}}},
-    Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
-    Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
+    Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}}}},
+    Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin", "methods"}}}},
+    Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}}}},
+    Reproducible{"plain", "plain", {PageStage{{"plain"}}}},
 };
 
-/// Whether a config is left out of what is asked for, by the end of its name.
+/// Whether a config is left out, by the end of its name.
 bool is_left_out(const fs::path& config, const ReproduceArguments& arguments) {
   const std::string name = config.stem().string();
   return (name.ends_with("_full") && !arguments.full) || (name.ends_with("_slow") && arguments.quick);
 }
 
-/// The JSON files of a folder, by name. Of a file, itself.
+/// The JSON files in a folder, sorted by name. For a file, the file itself.
 std::vector<fs::path> configs_in(const fs::path& folder) {
   if (fs::is_regular_file(folder)) return {folder};
   std::vector<fs::path> files;
@@ -60,7 +58,7 @@ std::vector<fs::path> configs_in(const fs::path& folder) {
   return files;
 }
 
-/// The configs of a stage. `leaves_out` becomes true if --quick leaves one of them out.
+/// The experiments of a stage. `leaves_out` becomes true if --quick leaves out one of their configs.
 std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& folder,
                                        const ReproduceArguments& arguments, bool& leaves_out) {
   ConfigArguments configs;
@@ -75,7 +73,7 @@ std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& f
   return load_experiments(configs);
 }
 
-/// Runs a script of analysis/ with Python. Returns exit_ok, or why it did not.
+/// Runs a script of analysis/ with Python. Returns exit_ok, or the exit code of its failure.
 int run_script(const fs::path& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> call = {BENDLAB_PYTHON, script.string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
@@ -90,7 +88,7 @@ int run_script(const fs::path& script, const std::vector<std::string>& arguments
 
 std::vector<std::string> reproducible() {
   std::vector<std::string> names;
-  for (const Reproducible& each : reproducibles) names.emplace_back(each.name);
+  for (const Reproducible& set : reproducibles) names.emplace_back(set.name);
   return names;
 }
 
@@ -106,7 +104,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
   const fs::path pages = arguments.out.empty() && !arguments.committed ? options.out / "own" : options.out,
                  page = pages / what.page;
   std::vector<std::vector<Experiment>>
-      experiments;  // of each stage; every config is read before the first run
+      experiments;  // of each stage; all configs are read before the first run
   bool leaves_out = false;
   for (const PageStage& stage : what.stages)
     experiments.push_back(experiments_of(stage, source / "configs", arguments, leaves_out));
@@ -116,20 +114,21 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
   int code = exit_ok;
   for (std::size_t i = 0; i < what.stages.size(); ++i) {
     const PageStage& stage = what.stages[i];
-    if (stage.script.empty()) break;
+    if (stage.configs.front().empty()) break;
     const int runs_code = run_and_report(experiments[i], options, Report::lines);
     if (stop_exit_code() != 0) return runs_code;
     code = std::max(code, runs_code);
     print_text(stderr, "bendlab: drawing the figures\n");
-    std::vector<std::string> drawing = {"--results", options.out.string(), "--out", page.string()};
+    std::vector<std::string> drawing = {std::string(what.page), "--results", options.out.string(), "--out",
+                                        page.string()};
     if (!stage.option.empty()) drawing.emplace_back(stage.option);
-    // It says where what it drew is.
-    if (const int drawn = run_script(source / "analysis" / stage.script, drawing); drawn != exit_ok)
-      return drawn;
+    // page.py prints where the page is.
+    if (const int drawn = run_script(source / "analysis/page.py", drawing); drawn != exit_ok) return drawn;
   }
   if (!arguments.committed)
-    if (const int told = run_script(source / "analysis/committed.py", {page.string()}); told != exit_ok)
-      return told;
+    if (const int compared = run_script(source / "analysis/compare_pages.py", {page.string()});
+        compared != exit_ok)
+      return compared;
   return code;
 }
 

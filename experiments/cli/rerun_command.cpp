@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own, removed at the end.
+// A temporary folder, removed by the destructor.
 class ScratchFolder {
  public:
   ScratchFolder() : path_((fs::temp_directory_path() / "bendlab-rerun-XXXXXX").string()) {
@@ -38,31 +38,31 @@ class ScratchFolder {
   std::string path_;
 };
 
-Json to_json(const RunRecord& run, const Repetition& found) {
+Json to_json(const RunRecord& run, const Repetition& repetition) {
   Json changed = Json::object();
-  for (const auto& [name, texts] : found.changed)
+  for (const auto& [name, texts] : repetition.changed)
     changed[name] = {{"then", texts.first}, {"now", texts.second}};
   return {{"run", run.id},
           {"file", run.file.string()},
-          {"repeated", found.outcome.file.string()},
-          {"status", to_string(found.outcome.status)},
-          {"same_bits", found.differing_parts.empty()},
-          {"differing_parts", found.differing_parts},
+          {"repeated", repetition.outcome.file.string()},
+          {"status", to_string(repetition.outcome.status)},
+          {"same_bits", repetition.differing_parts.empty()},
+          {"differing_parts", repetition.differing_parts},
           {"changed", changed}};
 }
 
-void print(const RunRecord& run, const Repetition& found) {
+void print(const RunRecord& run, const Repetition& repetition) {
   print_text("{}  {}\n", run.id, run.file.string());
-  if (found.differing_parts.empty())
-    print_text("repeated: the same bits in every frame, metric and number\n");
+  if (repetition.differing_parts.empty())
+    print_text("repeated: the same bits in every frame and metric\n");
   else
-    print_text("repeated: DIFFERENT BITS in {}\n", fmt::join(found.differing_parts, ", "));
-  if (found.changed.empty()) {
+    print_text("repeated: DIFFERENT BITS in {}\n", fmt::join(repetition.differing_parts, ", "));
+  if (repetition.changed.empty()) {
     print_text("by the same program, on the same machine with the same libraries\n");
     return;
   }
   Table table({"changed since", "then", "now"});
-  for (const auto& [name, texts] : found.changed) table.add_row({name, texts.first, texts.second});
+  for (const auto& [name, texts] : repetition.changed) table.add_row({name, texts.first, texts.second});
   print_text("\n{}", table.text());
 }
 
@@ -75,14 +75,14 @@ int rerun_command(const RerunArguments& arguments, bool json) {
                                  to_string(run.status)));
   catch_stop_signals();
   const ScratchFolder scratch;
-  const Repetition found =
+  const Repetition repetition =
       repeat(run, arguments.out.empty() ? fs::path(scratch.path()) : arguments.out, {.stop = &stop_flag()});
   if (stop_exit_code() != 0) return stop_exit_code();
   if (json)
-    print_text("{}\n", json_text(to_json(run, found)));
+    print_text("{}\n", json_text(to_json(run, repetition)));
   else
-    print(run, found);
-  return found.differing_parts.empty() ? exit_ok : exit_failed;
+    print(run, repetition);
+  return repetition.differing_parts.empty() ? exit_ok : exit_failed;
 }
 
 }  // namespace bendlab

@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Says once, before anything is computed, that the results can't be kept.
+/// Throws before anything is computed if the results can't be written.
 void check_writable(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -46,14 +46,14 @@ std::string needs_text(const Needs& needs) {
                      bytes_text(needs.disk_bytes));
 }
 
-/// Says on stderr what the runs need if that is much. (`plan` always says it.)
-void tell_large_needs(const std::vector<CampaignRun>& runs) {
+/// Prints on stderr what the runs need, if they need much. (`plan` always prints this.)
+void print_large_needs(const std::vector<CampaignRun>& runs) {
   constexpr double long_s = 60, large_bytes = 1e9;
   Needs needs;
   for (const CampaignRun& run : runs)
     if (const std::optional<Forecast> of_run = forecast(*run.config)) needs.add(*of_run);
   if (needs.cpu_s < long_s && needs.most_memory_bytes < large_bytes && needs.disk_bytes < large_bytes) return;
-  print_text(stderr, "bendlab: {}: {}, if none is there yet\n", counted(runs.size(), "run"),
+  print_text(stderr, "bendlab: {}: {}, if no run is complete yet\n", counted(runs.size(), "run"),
              needs_text(needs));
 }
 
@@ -73,9 +73,9 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
   write(sweeps);
   catch_stop_signals();
   std::vector<CampaignRun> runs = plan_campaign(experiments);
-  tell_large_needs(runs);
+  print_large_needs(runs);
   std::vector<CampaignRun> of_experiment;
-  options.tells_verdicts = report != Report::tables;  // a table has them below it, each kind once
+  options.tells_verdicts = report != Report::tables;  // experiment_text() prints each kind once
   bool first = true;
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
@@ -96,8 +96,8 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
   if (const int code = stop_exit_code(); code != 0) {
     const auto complete = std::ranges::count_if(
         runs, [](const CampaignRun& run) { return run.outcome && is_whole(run.outcome->status); });
-    print_text(stderr, "bendlab: stopped; {} of {} complete; the same command again does the rest\n",
-               complete, counted(runs.size(), "run"));
+    print_text(stderr, "bendlab: stopped; {} of {} complete; the same command computes the rest\n", complete,
+               counted(runs.size(), "run"));
     return code;
   }
   const int code = campaign_exit_code(runs);
@@ -127,13 +127,13 @@ std::string text_of(const RunState& state) {
   }
 }
 
-/// What is known of a run without computing it.
+/// What is known about a run without computing it.
 struct KnownRun {
   std::string id;
   fs::path folder;
   std::string state;
   std::optional<Forecast> needs;
-  double took_s = 0;  ///< of CPU time; 0: it is not whole
+  double took_s = 0;  ///< CPU time that the run took; 0: the run is not complete
 };
 
 std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path& out) {
@@ -149,7 +149,7 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
     if (found.kind == RunState::Kind::over && is_whole(found.record.status)) took_s = found.record.cpu_s;
     needs = forecast(config);
   });
-  // Runs that were computed tell how much more or less time than forecast the others will take.
+  // Complete runs show by which factor the forecast of the time is wrong; correct the other runs by it.
   double measured_s = 0, forecast_s = 0;
   for (const KnownRun& run : known)
     if (run.took_s > 0 && run.needs) measured_s += run.took_s, forecast_s += run.needs->cpu_s;
@@ -169,16 +169,18 @@ Json known_run_json(const Experiment& experiment, const RunConfig& config, const
   return line;
 }
 
-/// Which combinations a covering array has and lacks, in a few lines; empty for a whole sweep.
+/// How many combinations of values a cover has, and which it lacks, in a few lines; empty for a sweep without
+/// cover.
 std::string cover_text(const Covered& cover) {
   if (cover.strength == 0) return "";
   std::string text =
-      fmt::format("has {} of {} combinations of the values of any {}\n", cover.tuples - cover.missing,
+      fmt::format("covers {} of {} combinations of the values of any {}\n", cover.tuples - cover.missing,
                   cover.tuples, counted(cover.strength, "swept setting"));
-  constexpr std::size_t shown = 5;
-  for (std::size_t i = 0; i < std::min(cover.refused.size(), shown); ++i)
-    text += fmt::format("left out, because no run can have these together: {}\n", cover.refused[i]);
-  if (cover.refused.size() > shown) text += fmt::format("and {} more\n", cover.refused.size() - shown);
+  constexpr std::size_t most_listed = 5;
+  for (std::size_t i = 0; i < std::min(cover.refused.size(), most_listed); ++i)
+    text += fmt::format("left out, because no run can have these values together: {}\n", cover.refused[i]);
+  if (cover.refused.size() > most_listed)
+    text += fmt::format("and {} more\n", cover.refused.size() - most_listed);
   return text;
 }
 
@@ -225,7 +227,7 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
       table.add_row(std::move(cells));
     }
     print_text("{}: {}, {} complete; {}\n{}\n{}\n", experiment.name, counted(known.size(), "run"), complete,
-               over == known.size() ? "nothing is left to do" : "left are " + needs_text(left),
+               over == known.size() ? "no run is left to compute" : "left to compute: " + needs_text(left),
                cover_text(experiment.cover), table.text());
   }
   return exit_ok;

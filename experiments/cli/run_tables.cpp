@@ -19,7 +19,7 @@
 namespace bendlab {
 namespace {
 
-/// The numbers of a summary that every table has.
+/// The metrics of the summary that every table has.
 constexpr std::array<const char*, 7> main_columns = {
     "vertices", "triangles", "springs", "mean_strain", "max_stretch", "pin_max_stretch", "drop"};
 
@@ -27,7 +27,8 @@ bool has_number(const CampaignRun& run, const std::string& name) {
   return run.outcome && run.outcome->summary.contains(name);
 }
 
-/// A number of a run's summary, empty if it has none; an estimate below its range as such.
+/// A metric of a run's summary, empty if the run does not have it. An estimate below its range is written as
+/// "< 0.01".
 std::string number_cell(const CampaignRun& run, const std::string& name) {
   if (!has_number(run, name)) return "";
   const double value = run.outcome->summary.at(name);
@@ -43,7 +44,7 @@ std::string status_cell(const CampaignRun& run) {
   return fine ? text : coloured(text, Colour::red, stdout);
 }
 
-/// The names of columns, each once, those first that came first.
+/// The names of columns in the order in which they were added, each once.
 class ColumnNames {
  public:
   void add(const std::string& name) {
@@ -55,16 +56,16 @@ class ColumnNames {
   std::vector<std::string> names_;
 };
 
-/// The main columns; what is expected; the effective stiffnesses if a run has less than 90 % of what is
-/// stated; the errors if runs have them.
+/// The main columns; the metrics that are expected; the effective stiffnesses, if a run has less than 90 % of
+/// the stated stiffness; the errors, if runs have them.
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   ColumnNames columns;
   for (const char* name : main_columns) columns.add(name);
-  const auto some_run_has = [&](const std::string& name) {
+  const auto any_run_has = [&](const std::string& name) {
     return std::ranges::any_of(runs, [&](const CampaignRun& run) { return has_number(run, name); });
   };
   for (const Expectation& expected : runs.front().experiment->expectations)
-    if (some_run_has(expected.metric)) columns.add(expected.metric);
+    if (any_run_has(expected.metric)) columns.add(expected.metric);
   constexpr double converged = 0.9;  // 1
   for (const char* share : {"effective_bending_stiffness", "effective_membrane_stiffness"})
     if (std::ranges::any_of(runs, [&](const CampaignRun& run) {
@@ -72,11 +73,11 @@ std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
         }))
       columns.add(share);
   for (const char* error : {"error_solver_rms", "error_physical_rms"})
-    if (some_run_has(error)) columns.add(error);
+    if (any_run_has(error)) columns.add(error);
   return columns.all();
 }
 
-/// The numbers of the summary of a measure that has to be asked for, as far as runs have them.
+/// The metrics of a measure that at least one run has in its summary.
 std::vector<std::string> numbers_of(const Measure& measure, std::span<const CampaignRun> runs) {
   std::vector<std::string> names;
   for (const Quantity& quantity : measure.gives())
@@ -85,13 +86,13 @@ std::vector<std::string> numbers_of(const Measure& measure, std::span<const Camp
   return names;
 }
 
-/// A number's name below the name of its measure: "fit_B" of "stiffness_fit_B".
+/// A metric's name without the name of its measure: "fit_B" for "stiffness_fit_B".
 std::string short_name(const std::string& name, std::string_view measure) {
   const std::string beginning = fmt::format("{}_", measure);
   return name.starts_with(beginning) ? name.substr(beginning.size()) : name;
 }
 
-/// Swept values and these numbers, a row per run.
+/// A table with a row per run: swept values, and the metrics `names`.
 std::string numbers_table(std::span<const CampaignRun> runs, std::span<const std::string> names,
                           std::string_view measure) {
   const Experiment& experiment = *runs.front().experiment;

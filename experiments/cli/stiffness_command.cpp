@@ -1,4 +1,4 @@
-// `bendlab stiffness`: how stiff the cantilever strip of a run is.
+// `bendlab stiffness`: measures how stiff the cantilever strip of a run is.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ struct Row {
 std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, double settling) {
   return {
       {"length", s.length, "m", "L, from the clamp's edge to the free end, at rest"},
-      {"width", s.width, "m", "mean over the length"},
+      {"width", s.width, "m", "mean width along the strip"},
       {"clamp_offset", options.clamp_offset, "m", "how far behind the clamp's edge the strip begins to bend"},
       {"effective_length", s.effective_length, "m", "length + clamp_offset"},
       {"drop", s.drop, "m", "H: how far the free end hangs down"},
@@ -46,19 +46,20 @@ std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, d
       {"fit_samples", static_cast<double>(s.fit.samples), "1",
        "triples of neighbouring slices to which m(κ) was fitted"},
       {"fit_exponent", s.fit.exponent, "1", "p of m = c κ^p: 1 linear, 3 springs"},
-      {"fit_coefficient", s.fit.coefficient, "N m^p", "c"},
+      {"fit_coefficient", s.fit.coefficient, "N m^p", "c of m = c κ^p"},
       {"fit_residual", s.fit.residual, "1", "root mean square of ln m - ln(c κ^p)"},
       {"fit_B", s.fit.rigidity, "N m", "geometric mean of m / κ"},
       {"fit_C", s.fit.quartic, "N m³", "geometric mean of m / κ³"}};
 }
 
-// Negative counts from the end.
+// The index of a frame; negative numbers count from the end.
 std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
   const auto frames = static_cast<std::int64_t>(record.frames);
   const std::int64_t frame = asked < 0 ? frames + asked : asked;
   if (frame < 0 || frame >= frames)
-    throw UsageError(fmt::format("{}: there is no frame {}; it holds {}, the first is 0 and the last -1",
-                                 record.file.string(), asked, counted(frames, "frame")));
+    throw UsageError(
+        fmt::format("{}: there is no frame {}; the file has {}, the first is 0 and the last is -1",
+                    record.file.string(), asked, counted(frames, "frame")));
   return frame;
 }
 

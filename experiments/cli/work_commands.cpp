@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "2/8" → the third of eight.
+/// "2/8" → the third of eight shards.
 Shard shard_of(const std::string& text) {
   std::size_t index = 0, count = 0;
   int read = 0;
@@ -41,15 +41,16 @@ Shard shard_of(const std::string& text) {
   return {index, count};
 }
 
-void say(const std::string& what) {
+void print_news(const std::string& what) {
   print_text(stderr, "bendlab: {}\n", what);
 }
 
-/// Tasks of which each is expected to last a minute, as far as there are as many; at most `most`.
+/// Number of tasks such that each is expected to last at least a minute; at most `most`, and at most one per
+/// run.
 std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::size_t most) {
   constexpr double shortest_task_s = 60;
   double sum = 0, longest = 0;
-  for (const double each : expected_s) sum += each, longest = std::max(longest, each);
+  for (const double run_s : expected_s) sum += run_s, longest = std::max(longest, run_s);
   const double by_time = std::floor(sum / (shortest_task_s * cpus));
   const auto tasks = static_cast<std::size_t>(std::clamp(by_time, 1.0, static_cast<double>(most)));
   return std::min(tasks, expected_s.size());
@@ -57,7 +58,7 @@ std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::siz
 
 std::string batch_file(const fs::path& plan, const std::string& name, std::size_t tasks,
                        const SubmitArguments& arguments) {
-  constexpr int notice_s = 60;  // before a time limit: enough for a checkpoint
+  constexpr int notice_s = 60;  // s before the time limit: enough to write a checkpoint
   std::string head =
       fmt::format("#!/bin/bash\n#SBATCH --job-name=bendlab-{}\n#SBATCH --array=0-{}\n#SBATCH --ntasks=1\n",
                   name, tasks - 1);
@@ -86,11 +87,12 @@ exit "$code"
                             shell_quoted(own_program()), shell_quoted(plan.string()), tasks, arguments.cpus);
 }
 
-/// What sbatch printed: the job's number. Throws UsageError where there is no sbatch, or it refuses.
+/// Submits a batch file and returns what sbatch printed, the job's number. Throws UsageError if there is no
+/// sbatch, or if sbatch refuses.
 std::string submit(const fs::path& batch) {
   const std::string command = fmt::format("sbatch --parsable {} 2>&1", shell_quoted(batch.string()));
   std::FILE* const pipe = ::popen(command.c_str(), "r");
-  if (!pipe) throw UsageError("no process can be started for sbatch");
+  if (!pipe) throw UsageError("sbatch could not be started: no process is available");
   std::string output;
   std::array<char, 4096> block{};
   while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
@@ -98,10 +100,9 @@ std::string submit(const fs::path& batch) {
   const int status = ::pclose(pipe);
   while (output.ends_with('\n')) output.pop_back();
   if (status != 0)
-    throw UsageError(
-        fmt::format("Slurm's sbatch did not take {}: {}. The plan is written; 'bendlab work' does it "
-                    "without Slurm",
-                    batch.string(), output));
+    throw UsageError(fmt::format(
+        "Slurm's sbatch refused {}: {}. The plan was written; 'bendlab work' computes it without Slurm",
+        batch.string(), output));
   return output;
 }
 
@@ -126,10 +127,11 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
       ++computed;
     if (json && !run.outcome->left && !run.outcome->reused) print_text("{}\n", json_text(run_json(run)));
   }
-  say(fmt::format("{} of {} computed here, {} by others, {} at work elsewhere, {} failed", computed,
-                  counted(runs.size(), "run"), found, left, failed));
+  print_news(fmt::format(
+      "{} of {} computed here, {} computed by other processes, {} being computed elsewhere, {} failed",
+      computed, counted(runs.size(), "run"), found, left, failed));
   if (stop_exit_code() != 0)
-    say("stopped; what was at work is at its checkpoint, and the same command goes on from there");
+    print_news("stopped; unfinished runs wrote checkpoints, and the same command continues from there");
   return campaign_exit_code(runs);
 }
 
@@ -137,7 +139,7 @@ int status_command(const fs::path& file, bool json) {
   const PlanOverview plan = read_plan(file);
   std::set<fs::path> parents;
   for (const PlannedRun& run : plan.runs) parents.insert(run.folder.parent_path());
-  const RunsOnDisk on_disk(parents, say);
+  const RunsOnDisk on_disk(parents, print_news);
   using Kind = RunState::Kind;
   std::map<std::string, std::size_t> count;
   double done_s = 0, expected_of_done = 0, expected_left = 0;
@@ -175,7 +177,7 @@ int status_command(const fs::path& file, bool json) {
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
   print_text("{}: {}\n", counted(plan.runs.size(), "run"), fmt::join(parts, ", "));
   if (expected_left > 0 && done_s > 0)
-    print_text("took {} of CPU time so far; as much as {} may be left\n", duration_text(done_s),
+    print_text("took {} of CPU time so far; up to {} may be left\n", duration_text(done_s),
                duration_text(expected_left * done_s / expected_of_done));
   if (any) print_text("\n{}", table.text());
   return exit_ok;
@@ -184,7 +186,7 @@ int status_command(const fs::path& file, bool json) {
 int submit_command(const ConfigArguments& configs, const fs::path& out, const SubmitArguments& arguments) {
   const std::vector<Experiment> experiments = load_experiments(configs);
   std::vector<double> expected_s;
-  std::string ids;  // another plan has another name
+  std::string ids;  // the plan's name depends on its runs
   for (const CampaignRun& run : plan_campaign(experiments)) {
     expected_s.push_back(expected_cpu_s(*run.config));
     ids += run_id(*run.config);
@@ -207,7 +209,7 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
   const fs::path batch = fs::path(plan).replace_extension(".sbatch");
   replace_file(batch, text);
   const std::string job = submit(batch);
-  print_text("job {}: {} in {}; 'bendlab status {}' shows how far they are\n", job,
+  print_text("job {}: {} in {}; 'bendlab status {}' shows their progress\n", job,
              counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
   return exit_ok;
 }

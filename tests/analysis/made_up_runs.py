@@ -1,4 +1,4 @@
-"""Made-up runs of real configs, and the runs that a command would compute."""
+"""Invented runs of real configs, and the runs that a command would compute."""
 import json
 import shlex
 import sys
@@ -8,20 +8,20 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 
 import numpy as np  # noqa: E402
 
-from sweeps import missing_run, planned_points, point_key, read_config  # noqa: E402
+from runs.sweeps import missing_run, planned_points, point_key, read_config  # noqa: E402
 
 
 def facts(config, metrics=("time",), **more):
-    """/facts of a run file, for h5py. `metrics`: names of the columns; `more` replaces what is here."""
-    said = {"id": "0", "name": "made up", "status": "complete", "metrics": metrics,
-            "units": ["s"] * len(metrics), "meanings": metrics, "cell_fields": {}, "constraints": {},
-            "hashes": {}, "inputs": [], "passes": [], "summary": {}, "wall_s": 0, "cpu_s": 0,
-            "step_cpu_s": 0, "provenance": {}, "config": config, **more}
-    return np.frombuffer(json.dumps(said).encode(), "u1")
+    """/facts of a run file, for h5py. `metrics`: names of the columns. `more` replaces these defaults."""
+    entries = {"id": "0", "name": "made up", "status": "complete", "metrics": metrics,
+               "units": ["s"] * len(metrics), "meanings": metrics, "cell_fields": {}, "constraints": {},
+               "hashes": {}, "inputs": [], "passes": [], "summary": {}, "wall_s": 0, "cpu_s": 0,
+               "step_cpu_s": 0, "provenance": {}, "config": config, **more}
+    return np.frombuffer(json.dumps(entries).encode(), "u1")
 
 
 def made_up(configs, summary, status=lambda run: "complete"):
-    """Every run of these configs with the summary and the status that the functions give it."""
+    """Every run of these configs, with the summary and the status that these functions return."""
     runs = []
     for config in configs:
         settings = read_config(config)
@@ -35,13 +35,13 @@ def made_up(configs, summary, status=lambda run: "complete"):
 
 
 def points_of(runs):
-    """Config and place of every run, sorted."""
+    """Config and point of every run, sorted."""
     return sorted((run.experiment, point_key(run.point)) for run in runs)
 
 
 def planned_by(commands):
-    """The same of the runs that these commands compute, by the rules of `bendlab run`."""
-    return sorted(each for command in commands for each in _planned(command))
+    """Config and point of every run that these commands compute with `bendlab run`, sorted."""
+    return sorted(point for command in commands for point in _planned(command))
 
 
 def _planned(command):

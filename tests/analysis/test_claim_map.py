@@ -1,4 +1,4 @@
-"""The verdict maps: the sentence that cells give, the place of a run, and the table of a page."""
+"""Tests of the verdict maps: the sentence about the cells, the place of a run, and the table of a page."""
 import random
 import re
 import sys
@@ -9,13 +9,13 @@ from types import SimpleNamespace
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-import claim_map  # noqa: E402
-from claim_map import Cell, ClaimMap, Place  # noqa: E402
-from verdicts_html import map_cells, map_html, map_mark  # noqa: E402
+from tables import claim_map  # noqa: E402
+from tables.claim_map import Cell, ClaimMap, Place  # noqa: E402
+from web.verdicts import map_cells, map_html, map_mark  # noqa: E402
 
 
 def grid(holds):
-    """A whole map of two dampings, four solvers, three kinds of pins and three N; `holds`: Place → bool."""
+    """A map of two dampings, four solvers, three kinds of pins and three N. `holds`: Place → bool or None."""
     claim = ClaimMap("5b", "옷감", "Cloth <is> sound.", "it is", "stretch − 1")
     for damping in claim_map.DAMPINGS.values():
         for solver in claim_map.SOLVERS.values():
@@ -29,55 +29,55 @@ def grid(holds):
 
 
 class Sentence(unittest.TestCase):
-    def test_all_none_and_nothing(self):
-        self.assertEqual(grid(lambda _: True).sentence, "holds in every cell")
-        self.assertEqual(grid(lambda _: False).sentence, "does not hold in any cell")
+    def test_a_map_with_one_verdict_and_a_map_without_cells(self):
+        self.assertEqual(grid(lambda _: True).sentence, "holds in every box")
+        self.assertEqual(grid(lambda _: False).sentence, "does not hold in any box")
         self.assertEqual(ClaimMap("", "", "", "", "").sentence, "open: not run")
 
-    def test_one_question_decides(self):
+    def test_the_sentence_if_one_question_decides(self):
         sentence = grid(lambda place: place.damping == "viscous drag").sentence
-        self.assertEqual(sentence, "holds in 36 of 72 cells: exactly where there is viscous drag; at "
+        self.assertEqual(sentence, "holds in 36 of 72 boxes: exactly where there is viscous drag; at "
                          "1 × 10 alone in 9 of 18")
 
-    def test_two_questions_decide(self):
+    def test_the_sentence_if_two_questions_decide(self):
         good = ("4 × 10", "16 × 10")
         sentence = grid(lambda place: place.solver in good and place.pins != "the corner alone").sentence
-        self.assertEqual(sentence, "holds in 24 of 72 cells: exactly where substeps × iterations are 4 × 10 "
+        self.assertEqual(sentence, "holds in 24 of 72 boxes: exactly where substeps × iterations are 4 × 10 "
                          "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm; at "
                          "1 × 10 alone in 0 of 18")
 
-    def test_what_lies_beside_is_counted(self):
+    def test_cells_outside_the_region_are_counted(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         sentence = grid(lambda place: place.damping == "viscous drag" or place == odd).sentence
-        self.assertEqual(sentence, "holds in 37 of 72 cells: wherever there is viscous drag (36), and in 1 "
+        self.assertEqual(sentence, "holds in 37 of 72 boxes: wherever there is viscous drag (36), and in 1 "
                          "beside these; at 1 × 10 alone in 10 of 18")
 
-    def test_open_cells_leave_a_claim_open_that_they_could_refute(self):
+    def test_a_claim_is_open_if_open_cells_could_refute_it(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         for verdict, word in ((True, "holds"), (False, "fails")):
             claim = grid(lambda _: verdict)
             claim.cells[odd] = Cell("not run", None, open=True)
             self.assertIsNone(claim.holds)
-            self.assertEqual(claim.sentence, f"open: {word} in all 71 cells whose runs are there; 1 cell is "
+            self.assertEqual(claim.sentence, f"open: {word} in all 71 boxes whose runs are there; 1 box is "
                              "open, because their runs are not there")
             self.assertEqual(map_mark(claim), ("open", "open"))
 
-    def test_cells_without_anything_to_judge_do_not_refute(self):
+    def test_cells_without_a_verdict_do_not_refute_a_claim(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         claim = grid(lambda place: None if place == odd else True)
         self.assertIs(claim.holds, True)
-        self.assertEqual(claim.sentence, "holds in every cell; 1 cell has nothing to compare")
+        self.assertEqual(claim.sentence, "holds in every box; 1 box has nothing to compare")
 
     def test_a_chequerboard_has_no_region(self):
         orders = [list(claim_map.DAMPINGS.values()), list(claim_map.SOLVERS.values()), list(claim_map.PINS),
                   [16, 32, 64]]
         odd = lambda place: sum(order.index(answer) for order, answer in zip(
             orders, (place.damping, place.solver, place.pins, place.cells))) % 2
-        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 cells; no one or two answers decide where; "
+        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 boxes; no one or two answers decide where; "
                          "at 1 × 10 alone in 9 of 18")
 
     def test_a_region_never_has_a_cell_that_fails_or_is_open(self):
-        chance, found_some = random.Random(1), 0
+        chance, regions = random.Random(1), 0
         for seed in range(40):
             good = {name: chance.choice(list(values)) for name, values in
                     (("solver", claim_map.SOLVERS.values()), ("pins", claim_map.PINS))}
@@ -85,11 +85,11 @@ class Sentence(unittest.TestCase):
                          or chance.random() < 0.3)
             if seed % 2:
                 claim.cells[chance.choice(list(claim.cells))] = Cell("not run", None, open=True)
-            found = claim_map.region(claim.cells)
-            if found:
-                found_some += 1
-                self.assertEqual({claim.cells[place].holds for place in found[1]}, {True})
-        self.assertGreater(found_some, 30)
+            region = claim_map.region(claim.cells)
+            if region:
+                regions += 1
+                self.assertEqual({claim.cells[place].holds for place in region[1]}, {True})
+        self.assertGreater(regions, 30)
 
 
 class PlaceOfARun(unittest.TestCase):
@@ -100,18 +100,18 @@ class PlaceOfARun(unittest.TestCase):
         return SimpleNamespace(model="adaptive",
                                get=lambda pointer, default=None: config.get(pointer, default))
 
-    def test_it_answers_each_question(self):
+    def test_a_place_has_an_answer_to_each_question(self):
         self.assertEqual(claim_map.place_of(self.run_with()),
                          Place("rounded down", "viscous drag", "4 × 10", "the corner and its 1-ring", 32))
         self.assertEqual(claim_map.place_of(self.run_with(**{"/pins/ring": 0, "/pins/distance": 0.05})).pins,
                          "a patch of 5 cm")
 
-    def test_other_settings_have_no_place(self):
+    def test_a_run_with_other_settings_has_no_place(self):
         self.assertIsNone(claim_map.place_of(self.run_with(**{"/solver/substeps": 3})))
 
 
 class Table(unittest.TestCase):
-    def test_every_cell_has_its_number_its_colour_and_its_command(self):
+    def test_every_cell_has_its_value_its_colour_and_its_command(self):
         claim = grid(lambda place: place.cells == 16)
         page = map_html(claim, "map-1")
         self.assertEqual(page.count("class='holds"), 24)
@@ -122,16 +122,16 @@ class Table(unittest.TestCase):
         self.assertIn("“Cloth &lt;is&gt; sound.”", page)
         self.assertIn("lang='ko'", page)
 
-    def test_a_cell_opens_with_its_seeds_and_all_commands(self):
+    def test_the_panel_of_a_cell_has_its_seeds_and_all_commands(self):
         claim = ClaimMap("5", "", "Ours is sound.", "it is", "stretch − 1")
         claim.cells[Place("", "no damping", "1 × 10", "a patch of 5 cm", 16)] = Cell(
             "0.5", True, "run a\nrun b", (1, 2))
         cell, = map_cells(claim, "map-1")
         self.assertEqual((cell["told"], cell["command"], cell["status"]),
                          ("seeds 1, 2", "run a\nrun b", "holds"))
-        self.assertNotIn("“", map_html(claim, "map-1"))  # it quotes nobody
+        self.assertNotIn("“", map_html(claim, "map-1"))  # not a quotation
 
-    def test_a_cell_without_a_verdict_is_grey_and_says_why(self):
+    def test_a_cell_without_a_verdict_is_grey(self):
         page = map_html(grid(lambda place: None if place.cells == 16 else True), "map-1")
         self.assertEqual(page.count("<td class='none first'"), 24)
 

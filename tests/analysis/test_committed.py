@@ -1,5 +1,6 @@
-"""A page of one's own beside the committed one, on made-up pages whose differences are known."""
+"""Tests of the comparison of a user's page with the committed page, on pages with known differences."""
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -9,14 +10,12 @@ from pathlib import Path
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
 sys.path.insert(0, str(ANALYSIS))
 
-import committed  # noqa: E402
-import fig_6  # noqa: E402
-import fig_map  # noqa: E402
-import page as paper_page  # noqa: E402
-import project_pages  # noqa: E402
-from claim_map import Cell, ClaimMap, Place  # noqa: E402
-from report import Check, Claim, Section, bits_of, write_objects  # noqa: E402
-from sweeps import missing_run  # noqa: E402
+from figures.paper import fig_6, maps  # noqa: E402
+from pages import paper, project  # noqa: E402
+from runs.sweeps import missing_run  # noqa: E402
+from tables import committed  # noqa: E402
+from tables.claim_map import Cell, ClaimMap, Place  # noqa: E402
+from tables.section import Check, Claim, Section, bits_of, write_objects  # noqa: E402
 
 
 def claim(name, holds, **numbers):
@@ -30,7 +29,7 @@ def check(name, measured):
 def write(folder, claims=(), checks=(), maps=(), bits=None, objects=()):
     folder.mkdir(parents=True, exist_ok=True)
     section = Section("a", "1", claims=list(claims), checks=list(checks), maps=list(maps), bits=bits or {})
-    project_pages.keep(folder, [section])
+    write_objects(folder / project.KEPT, [section.as_json()])
     write_objects(folder / "summary.json", objects)
 
 
@@ -47,45 +46,47 @@ class Compared(unittest.TestCase):
         for folder in (self.theirs, self.mine):
             write(folder, [claim("it is", True, one=1.5, two=[2, 3])], [check("a length", 1.05)],
                   bits={"a/b": {"x": "1"}})
-        found = self.compared()
-        self.assertEqual((found.same_verdicts, found.verdicts, found.exact, found.numbers), (2, [], 4, []))
-        self.assertEqual((found.same_bits, found.other_bits, found.runs_not_made), (1, 0, 0))
+        result = self.compared()
+        self.assertEqual((result.same_verdicts, result.verdicts, result.exact, result.numbers),
+                         (2, [], 4, []))
+        self.assertEqual((result.same_bits, result.other_bits, result.runs_not_made), (1, 0, 0))
 
-    def test_verdicts_and_numbers_that_differ_are_told(self):
+    def test_different_verdicts_and_numbers_are_listed(self):
         write(self.theirs, [claim("it is", True, one=1.0, two=100.0, three=7.0)], [check("a length", 1.05)],
               bits={"a/b": {"x": "1", "y": "2", "z": "3"}})
         write(self.mine, [claim("it is", False, one=1.0008, two=50.0, three=7.0)], [check("a length", 1.2)],
               bits={"a/b": {"x": "1", "y": "9"}})
-        found = self.compared()
-        self.assertEqual(found.verdicts, [("it is", "holds", "does not hold"),
-                                          ("a length, a model, a mesh", "holds", "does not hold")])
-        self.assertEqual((found.exact, found.rounded), (1, 1))  # three; one, 0.08 % apart
-        self.assertEqual(found.numbers, [("it is: two", 100.0, 50.0),
-                                         ("a length, a model, a mesh: measured", 1.05, 1.2)])
-        self.assertEqual((found.same_bits, found.other_bits, found.runs_not_made), (1, 1, 1))
-        told = committed.text(found)
-        self.assertIn("holds → does not hold: it is", told)
-        self.assertIn("100 → 50: it is: two", told)
+        result = self.compared()
+        self.assertEqual(result.verdicts, [("it is", "holds", "does not hold"),
+                                           ("a length, a model, a mesh", "holds", "does not hold")])
+        # "three" is exact; "one" differs by 0.08 %.
+        self.assertEqual((result.exact, result.rounded), (1, 1))
+        self.assertEqual(result.numbers, [("it is: two", 100.0, 50.0),
+                                          ("a length, a model, a mesh: measured", 1.05, 1.2)])
+        self.assertEqual((result.same_bits, result.other_bits, result.runs_not_made), (1, 1, 1))
+        text = committed.text(result)
+        self.assertIn("holds → does not hold: it is", text)
+        self.assertIn("100 → 50: it is: two", text)
 
-    def test_what_was_not_run_is_open_and_not_another_verdict(self):
+    def test_a_claim_without_runs_is_open_and_not_a_different_verdict(self):
         write(self.theirs, [claim("it is", True), claim("it was", False)])
         write(self.mine, [claim("it is", None)])
-        found = self.compared()
-        self.assertEqual(found.not_made, 2)
-        self.assertEqual(committed.summary_rows(found)[0], ("verdicts", 0, 0, 2))
-        self.assertIn("holds → open: it is", committed.text(found))
+        result = self.compared()
+        self.assertEqual(result.not_made, 2)
+        self.assertEqual(committed.summary_rows(result)[0], ("verdicts", 0, 0, 2))
+        self.assertIn("holds → open: it is", committed.text(result))
 
-    def test_times_are_of_the_machine(self):
+    def test_times_are_not_compared(self):
         write(self.theirs, [claim("it is fast", True, **{"CPU ms per frame": 1.0})])
         write(self.mine, [claim("it is fast", True, **{"CPU ms per frame": 9.0})])
         self.assertEqual(self.compared().numbers, [])
 
-    def test_an_older_page_keeps_fewer_digits(self):
+    def test_numbers_are_compared_with_the_digits_of_an_older_page(self):
         write(self.theirs, [claim("it is", True, one=0.001551, two=2.0)])
         write(self.mine, [claim("it is", True, one=0.00155149, two=2.001)])
         self.assertEqual((self.compared().exact, self.compared().rounded), (1, 1))
 
-    def test_cells_of_maps_and_objects_of_runs_count(self):
+    def test_cells_of_maps_and_objects_of_runs_are_compared(self):
         place = Place("", "no damping", "1 × 10", "the corner alone", 16)
         for folder, holds, verdict in ((self.theirs, True, "green"), (self.mine, False, "red")):
             write(folder, maps=[ClaimMap("1", "", "it is", "", "", {place: Cell("0.5", holds)})],
@@ -94,23 +95,23 @@ class Compared(unittest.TestCase):
         self.assertEqual([(theirs, mine) for _, theirs, mine in self.compared().verdicts],
                          [("green", "red"), ("holds", "does not hold")])
 
-    def test_without_a_page_nothing_is_compared(self):
+    def test_without_committed_page_there_is_no_comparison(self):
         self.assertIsNone(self.compared())
 
 
 class Own(unittest.TestCase):
-    def test_a_script_writes_the_committed_page_only_if_told(self):
+    def test_a_script_writes_the_committed_page_only_on_request(self):
         self.assertEqual(committed.home("paper", False), Path("results/own/paper"))
         self.assertEqual(committed.home("paper", True), Path("results/paper"))
         ignored = subprocess.run(["git", "-C", ANALYSIS.parent, "check-ignore", "-q",
                                   "results/own/paper/index.html"], check=False)
         self.assertIn(ignored.returncode, (0, 128))  # 128: no checkout
 
-    def test_a_page_of_ones_own_links_to_what_is_there_and_to_the_committed_one(self):
+    def test_a_users_page_links_to_existing_pages_and_to_the_committed_page(self):
         with tempfile.TemporaryDirectory() as name:
             own = Path(name) / "own/paper"
-            paper_page.draw(Path(name) / "none", own, "everything")
-            paper_page.lay_out(own)
+            project.draw(paper.PAGE, Path(name) / "none", own)
+            project.lay_out(paper.PAGE, own)
             text = (own / "index.html").read_text(encoding="utf-8")
             self.assertIn("href='../../paper/index.html'", text)
             self.assertIn("id='committed'", text)
@@ -118,38 +119,45 @@ class Own(unittest.TestCase):
             again = json.loads((own / "summary.json").read_text(encoding="utf-8"))
             self.assertEqual({entry["holds"] for entry in again}, {None})  # without runs every claim is open
 
-    def test_a_python_without_the_libraries_hands_over(self):
-        for script in sorted(ANALYSIS.glob("*.py")):
-            if script.name.startswith("fig_") and "__main__" in script.read_text(encoding="utf-8"):
-                self.assertIn("\nimport right_python", script.read_text(encoding="utf-8"), script)
-        told = subprocess.run([sys.executable, "-S", ANALYSIS / "stiffness_page.py", "--help"],
+    def test_a_python_without_the_libraries_starts_the_right_python(self):
+        folders = "|".join(sorted(path.name for path in ANALYSIS.iterdir() if path.is_dir()))
+        commands = [script for script in sorted(ANALYSIS.rglob("*.py"))
+                    if "__main__" in (text := script.read_text(encoding="utf-8"))
+                    and re.search(rf"^from ({folders})\b", text, re.MULTILINE)]
+        self.assertIn(ANALYSIS / "page.py", commands)
+        for script in commands:
+            first = re.search(r"^(import|from) .*", script.read_text(encoding="utf-8"), re.MULTILINE)
+            self.assertTrue(first[0].startswith("import right_python"), script)
+        done = subprocess.run([sys.executable, "-S", ANALYSIS / "page.py", "--help"],
                               capture_output=True, text=True, check=False)
-        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
 
 class Open(unittest.TestCase):
-    """What the runs of --full would decide is open without them."""
+    """Claims that need runs of --full are open without these runs."""
 
-    def test_a_map_that_lacks_cells_of_full_decides_nothing(self):
+    def test_a_map_without_the_cells_of_full_has_no_verdict(self):
         place = Place("", "", "1 × 10", "the corner alone", 16)
         for holds, word in ((True, "holds"), (False, "fails")):
             claim = ClaimMap("1", "", "", "", "", {place: Cell("1", holds)}, left_out=True)
             self.assertIsNone(claim.holds)
-            self.assertEqual(claim.sentence, f"open: {word} in all 1 cells whose runs are there; those of "
+            self.assertEqual(claim.sentence, f"open: {word} in all 1 boxes whose runs are there; those of "
                                              "--full are not run")
             claim.left_out = False
             self.assertIs(claim.holds, holds)
 
-    def test_a_map_with_both_verdicts_stays(self):
+    def test_a_map_with_both_verdicts_keeps_its_share(self):
         cells = {Place("", "", "1 × 10", "the corner alone", n): Cell("1", n > 16) for n in (16, 32)}
         self.assertEqual(ClaimMap("1", "", "", "", "", cells, left_out=True).holds, 0.5)
 
     def test_without_runs_the_configs_of_full_are_left_out(self):
         with tempfile.TemporaryDirectory() as name:
-            section = fig_map.main(Path(name), Path(name))
-        self.assertTrue(all(each.left_out for each in section.maps))
+            section = Section("maps", "Maps")
+            maps.main(Path(name), Path(name), section)
+        self.assertTrue(section.maps)
+        self.assertTrue(all(claim_map.left_out for claim_map in section.maps))
 
-    def test_fewer_springs_at_no_n_that_was_run_leaves_the_claim_open(self):
+    def test_the_claim_on_fewer_springs_is_open_if_the_decisive_n_is_missing(self):
         class Case:
             def __init__(self, n, fewer):
                 self.n, self.fewer, self.name, self.lod = n, {2: fewer}, f"N = {n}", {}
@@ -166,11 +174,11 @@ class Open(unittest.TestCase):
         self.assertIs(verdict(Case(64, 0.34), Case(128, 0.40)), False)
         self.assertIs(verdict(Case(64, 0.2)), True)
 
-    def test_bits_are_those_of_the_numbers_without_times(self):
-        one, same = run_with(drop=1.0, cpu_s=1), run_with(drop=1.0, cpu_s=2)
-        other = run_with(drop=1.0 + 1e-15)
-        self.assertEqual(bits_of(one), bits_of(same))
-        self.assertNotEqual(bits_of(one), bits_of(other))
+    def test_the_bits_of_a_run_do_not_depend_on_times(self):
+        run, same = run_with(drop=1.0, cpu_s=1), run_with(drop=1.0, cpu_s=2)
+        different = run_with(drop=1.0 + 1e-15)
+        self.assertEqual(bits_of(run), bits_of(same))
+        self.assertNotEqual(bits_of(run), bits_of(different))
 
 
 def run_with(**summary):

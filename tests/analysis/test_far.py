@@ -1,4 +1,4 @@
-"""Runs far from the origin: what a page holds in single precision has the edges that the mesh has."""
+"""Runs far from the origin: the single-precision positions in a page have the edge lengths of the mesh."""
 import sys
 import tempfile
 import unittest
@@ -12,8 +12,8 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
 from bendlab.results import checksum  # noqa: E402
-import far  # noqa: E402
-import frames  # noqa: E402
+from draw import far  # noqa: E402
+from draw import frames  # noqa: E402
 from bendlab.results import load  # noqa: E402
 from made_up_runs import facts  # noqa: E402
 
@@ -22,7 +22,7 @@ FLOOR = {"type": "plane", "point": [0, 0, 317.0], "normal": [0, 0, 1.0], "veloci
 
 
 def grid(place):
-    """(V, 3) and (T, 3) of a square of 1 m around a place."""
+    """Vertices (V, 3) and triangles (T, 3) of a square of 1 m around a place."""
     x = np.linspace(-0.5, 0.5, CELLS + 1)
     rest = np.array([[a, b, 0] for b in x for a in x]) + place
     corner = np.array([i + j * (CELLS + 1) for j in range(CELLS) for i in range(CELLS)])
@@ -35,7 +35,7 @@ def edges(points, triangles):
 
 
 def floats(packed, name):
-    """(rows, columns) of a section of floats: its bytes are planes, the first byte of all rows first."""
+    """(rows, columns) of a section of floats. It is stored in byte planes: first the first byte of each."""
     at = packed.head["sections"][name]
     planes = zlib.decompress(packed.data[at["offset"]:at["offset"] + at["size"]])
     rows = np.frombuffer(planes, "u1").reshape(at["columns"], 4, at["rows"])
@@ -63,7 +63,7 @@ class Far(unittest.TestCase):
             run = self.run_at(place)
             packed = frames.pack(run)
             rest, triangles = run.rest_positions, run.triangles
-            # Half of the last digit of a float at half a metre is 3e-8 m, an edge 1/64 m.
+            # Half a unit in the last place of a float at half a metre is 3e-8 m; an edge is 1/64 m.
             np.testing.assert_allclose(edges(floats(packed, "rest").astype(float), triangles),
                                        edges(rest, triangles), rtol=1e-5)
             head = packed.head
@@ -71,13 +71,13 @@ class Far(unittest.TestCase):
             self.assertAlmostEqual(head["box"][0][2] - head["floor"], place[2] - 0.5 - 317, places=6)
             self.assertTrue(any("relative to" in note for note in head["notes"]), head["notes"])
 
-    def test_near_the_origin_a_page_has_the_coordinates_themselves(self):
+    def test_near_the_origin_a_page_has_the_original_coordinates(self):
         run = self.run_at([3, -2, 18])
         packed = frames.pack(run)
         np.testing.assert_array_equal(floats(packed, "rest"), run.rest_positions.astype("f4"))
         self.assertEqual((packed.head["notes"], packed.head["floor"]), ([], 317))
 
-    def test_the_origin_is_round(self):
+    def test_the_origin_has_round_coordinates(self):
         rest, triangles = grid(np.array([450123.3, -5412345.4, 250]))
         np.testing.assert_array_equal(far.origin_of(rest, triangles), [450123, -5412345, 250])
         np.testing.assert_array_equal(far.origin_of(1e-3 * rest, triangles), [450.123, -5412.345, 0.25])

@@ -1,4 +1,4 @@
-"""Where a cloth is stretched: σ₁ on deformations whose stretches are known, distances, and a whole run."""
+"""Tests of where a cloth is stretched: σ₁ of known deformations, distances, and a whole run."""
 import sys
 import tempfile
 import unittest
@@ -10,18 +10,17 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-from bendlab.results import checksum  # noqa: E402
-import fig_where  # noqa: E402
-from bendlab.results import load  # noqa: E402
-import stretch  # noqa: E402
+from bendlab.results import checksum, load  # noqa: E402
+from figures.paper import where  # noqa: E402
 from made_up_runs import facts  # noqa: E402
+from runs import stretch  # noqa: E402
 
-ROUNDING = 1e-14  # relative; a few operations in double precision
-TURN = np.linalg.qr(np.random.default_rng(7).normal(size=(3, 3)))[0]  # any rotation, or one mirrored
+ROUNDING = 1e-14  # relative error after a few operations in double precision
+TURN = np.linalg.qr(np.random.default_rng(7).normal(size=(3, 3)))[0]  # a random rotation or reflection
 
 
 def grid(cells, size=1.0):
-    """(V, 3) and (T, 3) of a square of `size` in cells × cells, split along one diagonal."""
+    """Vertices (V, 3) and triangles (T, 3) of a square of `size` in cells × cells, split along a diagonal."""
     x = np.linspace(0, size, cells + 1)
     rest = np.array([[a, b, 0] for b in x for a in x])
     corner = np.array([i + j * (cells + 1) for j in range(cells) for i in range(cells)])
@@ -30,7 +29,7 @@ def grid(cells, size=1.0):
 
 
 def by_svd(rest, positions, triangles):
-    """(T) σ₁ by numpy's singular values, from the rest edges in the plane z = 0."""
+    """σ₁ (T) by NumPy's singular values. The rest shape lies in the plane z = 0."""
     edges = lambda x: np.stack([x[triangles[:, i]] - x[triangles[:, 0]] for i in (1, 2)], axis=2)
     gradient = edges(positions) @ np.linalg.inv(edges(rest)[:, :2])
     return np.linalg.svd(gradient, compute_uv=False)[:, 0]
@@ -41,50 +40,50 @@ class PrincipalStretch(unittest.TestCase):
 
     def test_a_uniform_stretch_is_the_same_in_every_triangle(self):
         for factor in (1, 1.7, 40):
-            found = stretch.principal_stretch(self.rest, self.rest * [factor, 1, 1], self.triangles)
-            np.testing.assert_allclose(found - 1, factor - 1, rtol=0, atol=ROUNDING * factor)
+            sigma = stretch.principal_stretch(self.rest, self.rest * [factor, 1, 1], self.triangles)
+            np.testing.assert_allclose(sigma - 1, factor - 1, rtol=0, atol=ROUNDING * factor)
 
-    def test_a_cloth_that_is_only_compressed_has_less_than_one(self):
-        found = stretch.principal_stretch(self.rest, self.rest * [0.25, 0.5, 1], self.triangles)
-        np.testing.assert_allclose(found, 0.5, rtol=ROUNDING)
+    def test_the_stretch_of_a_compressed_cloth_is_below_1(self):
+        sigma = stretch.principal_stretch(self.rest, self.rest * [0.25, 0.5, 1], self.triangles)
+        np.testing.assert_allclose(sigma, 0.5, rtol=ROUNDING)
 
     def test_simple_shear(self):
         # x += g y: σ₁ − 1/σ₁ = g, so that σ₁ = (g + √(g² + 4)) / 2
         for g in (0.1, 1, 30):
             sheared = self.rest @ np.array([[1, 0, 0], [g, 1, 0], [0, 0, 1]])
-            found = stretch.principal_stretch(self.rest, sheared, self.triangles)
-            np.testing.assert_allclose(found, (g + np.sqrt(g * g + 4)) / 2, rtol=10 * ROUNDING)
+            sigma = stretch.principal_stretch(self.rest, sheared, self.triangles)
+            np.testing.assert_allclose(sigma, (g + np.sqrt(g * g + 4)) / 2, rtol=10 * ROUNDING)
 
-    def test_turning_the_rest_shape_or_the_cloth_changes_nothing(self):
+    def test_a_rotation_of_the_rest_shape_or_of_the_cloth_changes_nothing(self):
         cloth = self.rest @ np.array([[1.2, 0.3, 0], [-0.4, 0.8, 0.5], [0, 0, 1]])
         expected = by_svd(self.rest, cloth, self.triangles)
         for rest, positions in ((self.rest @ TURN, cloth), (self.rest, cloth @ TURN),
                                 (self.rest @ TURN + 3, cloth @ TURN.T - 5)):
-            found = stretch.principal_stretch(rest, positions, self.triangles)
-            np.testing.assert_allclose(found, expected, rtol=100 * ROUNDING)  # the shift by 3 costs digits
+            sigma = stretch.principal_stretch(rest, positions, self.triangles)
+            np.testing.assert_allclose(sigma, expected, rtol=100 * ROUNDING)  # the shift by 3 costs digits
 
-    def test_frames_at_once_and_units(self):
+    def test_several_frames_and_other_units(self):
         frames = np.stack([self.rest, self.rest * [2, 3, 1]])
         for metre in (1, 1000):
-            found = stretch.principal_stretch(self.rest * metre, frames * metre, self.triangles)
-            np.testing.assert_allclose(found, np.outer([1, 3], np.ones(50)), rtol=ROUNDING)
+            sigma = stretch.principal_stretch(self.rest * metre, frames * metre, self.triangles)
+            np.testing.assert_allclose(sigma, np.outer([1, 3], np.ones(50)), rtol=ROUNDING)
 
-    def test_a_triangle_without_area_at_rest_has_none(self):
+    def test_a_triangle_without_area_at_rest_has_no_stretch(self):
         rest = np.array([[0, 0, 0], [1, 0, 0], [3, 0, 0], [0, 1, 0]], float)
-        found = stretch.principal_stretch(rest, rest, np.array([[0, 1, 2], [0, 1, 3], [1, 1, 3]]))
-        np.testing.assert_array_equal(np.isnan(found), [True, False, True])
+        sigma = stretch.principal_stretch(rest, rest, np.array([[0, 1, 2], [0, 1, 3], [1, 1, 3]]))
+        np.testing.assert_array_equal(np.isnan(sigma), [True, False, True])
 
 
 class Distance(unittest.TestCase):
-    def test_from_the_nearest_of_two_pins(self):
+    def test_the_distance_is_from_the_nearest_pin(self):
         rest = np.array([[0, 0, 0], [3, 0, 0], [0, 3, 0], [9, 0, 0], [12, 0, 0], [9, 3, 0]], float)
-        triangles = np.array([[0, 1, 2], [3, 4, 5]])  # their middles: (1, 1) and (10, 1)
+        triangles = np.array([[0, 1, 2], [3, 4, 5]])  # centroids (1, 1) and (10, 1)
         pinned = np.array([1, 0, 0, 0, 0, 1], bool)  # (0, 0) and (9, 3)
         np.testing.assert_allclose(stretch.distance_from_pins(rest, triangles, pinned),
                                    [np.sqrt(2), np.sqrt(5)], rtol=ROUNDING)
         self.assertTrue(np.isinf(stretch.distance_from_pins(rest, triangles, np.zeros(6, bool))).all())
 
-    def test_bins_hold_every_distance_and_agree_between_meshes(self):
+    def test_bins_contain_every_distance_and_agree_between_meshes(self):
         fine, coarse = stretch.bin_edges(0.0037, 1.41), stretch.bin_edges(0.0295, 1.4)
         self.assertLessEqual(fine[0], 0.0037)
         self.assertGreater(fine[-1], 1.41)
@@ -92,7 +91,7 @@ class Distance(unittest.TestCase):
 
 
 class WholeRun(unittest.TestCase):
-    """A sheet of 8² cells that hangs from a corner and is torn three cells away from it."""
+    """A sheet of 8² cells that hangs from a corner and is torn three cells away from this corner."""
 
     cells, frames = 8, 16
 
@@ -101,11 +100,11 @@ class WholeRun(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.rest, self.triangles = grid(self.cells)
         self.trajectory = self.positions().astype("f4")
-        self.told = np.array([by_svd(self.rest, x.astype(float), self.triangles) for x in self.trajectory])
+        self.sigma = np.array([by_svd(self.rest, x.astype(float), self.triangles) for x in self.trajectory])
         self.run = load.load_run(self.written(Path(folder.name) / "run.vtkhdf"))
 
     def positions(self):
-        """(F, V, 3): every edge some percent too long, another in each frame, and one vertex pulled out."""
+        """Frames (F, V, 3): random edges that are a few percent too long, and a vertex that is pulled out."""
         noise = np.random.default_rng(3).normal(scale=0.05 / self.cells,
                                                 size=(self.frames, len(self.rest), 3))
         frames = self.rest @ TURN + noise
@@ -121,32 +120,32 @@ class WholeRun(unittest.TestCase):
             file["VTKHDF/Points"] = self.trajectory.reshape(-1, 3)
             file["rest/positions"], file["rest/triangles"] = self.rest, self.triangles.astype("i4")
             file["rest/pinned"] = pinned.astype("u1")
-            # 1.5 s: the last second is frames 6 … 15
-            file["metrics/values"] = np.stack([np.arange(self.frames) / 10, self.told.max(axis=1)], axis=1)
+            # The run takes 1.5 s, so the last second is frames 6 … 15.
+            file["metrics/values"] = np.stack([np.arange(self.frames) / 10, self.sigma.max(axis=1)], axis=1)
         checksum.seal(path)
         return path
 
-    def test_the_largest_is_that_of_the_metric(self):
+    def test_the_largest_stretch_equals_the_metric(self):
         part = stretch.stretched(self.run)
         self.assertEqual(part.excess.shape, (10, len(self.triangles)))
-        self.assertLess(part.disagreement, 1e-13)  # two ways to the same singular value
-        self.assertAlmostEqual(part.largest(), np.median(self.told[6:].max(axis=1)) - 1, places=12)
+        self.assertLess(part.disagreement, 1e-13)  # two methods for the same singular value
+        self.assertAlmostEqual(part.largest(), np.median(self.sigma[6:].max(axis=1)) - 1, places=12)
 
-    def test_another_metric_is_noticed(self):
+    def test_a_disagreement_with_the_metric_is_measured(self):
         self.run.metrics["max_stretch"][7] *= 1.25
         self.assertAlmostEqual(stretch.stretched(self.run).disagreement, 0.2, places=12)
 
-    def test_the_tear_is_where_it_was_made(self):
+    def test_the_worst_triangles_are_at_the_tear(self):
         part = stretch.stretched(self.run)
-        # The six triangles of the vertex three cells off in both directions, three edges along diagonals:
-        # their middles are within 0.75 of a cell of it
+        # The torn vertex is three cells from the corner in both directions. The centroids of its six
+        # triangles are within 0.75 cells of it. It is three edges away along diagonals, so it is in ring 3.
         np.testing.assert_array_less(part.distance[part.worst] * self.cells, 3 * np.sqrt(2) + 0.75)
         np.testing.assert_array_less(3 * np.sqrt(2) - 0.75, part.distance[part.worst] * self.cells)
         self.assertLessEqual(set(part.ring[part.worst]), {3, 4})
         self.assertGreater(part.largest(~part.at_pin), 2)
         self.assertLess(part.largest(part.at_pin), 0.3)
 
-    def test_bins_give_the_largest_and_the_usual_of_their_triangles(self):
+    def test_bins_have_the_maximum_and_the_median_of_their_triangles(self):
         part = stretch.stretched(self.run)
         edges = stretch.bin_edges(part.distance.min(), part.distance.max())
         for share in (1.0, 0.5):
@@ -156,39 +155,49 @@ class WholeRun(unittest.TestCase):
                     np.nan]
                 np.testing.assert_allclose(value, np.median(expected), rtol=1e-12)
 
-    def test_a_group_is_drawn_and_tabled(self):
-        one = stretch.measure([self.run, self.run])
-        self.assertEqual((one.near.count, one.status), (2, {"complete": 2}))
-        self.assertEqual(max(one.near.median, one.far.median), one.whole.median)
-        self.assertAlmostEqual(np.nanmax([s.median for s in one.worst]), one.whole.median, places=12)
-        cases = {fig_where.MENDED: {self.cells: one}, fig_where.ADAPTIVE: {self.cells: one}}
-        with tempfile.TemporaryDirectory() as folder:
-            name = fig_where._panels(cases, folder, "where", "title")
-            self.assertTrue((Path(folder) / name).exists())
-        table = fig_where._table(cases, "Torn")
-        self.assertEqual([row[:2] for row in table.rows], [[fig_where.MENDED, 8], [fig_where.ADAPTIVE, 8]])
-        self.assertTrue(all(len(row) == len(table.columns) for row in table.rows))
+    def test_the_chart_and_the_table_of_a_group(self):
+        group = stretch.measure([self.run, self.run])
+        self.assertEqual((group.near.count, group.status), (2, {"complete": 2}))
+        self.assertEqual(max(group.near.median, group.far.median), group.whole.median)
+        self.assertAlmostEqual(np.nanmax([s.median for s in group.worst]), group.whole.median, places=12)
+        cases = {where.MENDED: {self.cells: group}, where.ADAPTIVE: {self.cells: group}}
+        bins = where._bins("bins", cases)
+        self.assertEqual({row["case"] for row in bins.rows}, {where.MENDED, where.ADAPTIVE})
+        known = [i for i, spread in enumerate(group.worst) if spread.known]
+        own = bins.rows[:len(known)]
+        self.assertEqual([row["distance"] for row in own], [group.middles[i] for i in known])
+        self.assertEqual(max(row["worst"] for row in own), group.whole.median)
+        for row in own:
+            self.assertLessEqual(row["usual"], row["worst"])
+        table = where._table("torn", cases, "Torn")
+        self.assertEqual([(row["case"], row["N"]) for row in table.rows],
+                         [(where.MENDED, 8), (where.ADAPTIVE, 8)])
+        for row in table.rows:
+            self.assertLessEqual({column.id for column in table.columns}, set(row))
+            self.assertEqual([row[part] for part in ("near", "far", "whole")],
+                             [group.near.median, group.far.median, group.whole.median])
 
 
 class Claims(unittest.TestCase):
     @staticmethod
     def group(n, near, far, ring=1.0, reach=np.nan):
-        one = lambda value: load.spread([value])
-        return stretch.Group(n, 1 / n, {}, one(near), one(far), one(max(near, far)), one(ring / n),
-                             (ring / n,) * 2, ring, (ring, ring), reach, [], np.array([]), np.array([]), 0)
+        single = lambda value: load.spread([value])
+        return stretch.Group(n, 1 / n, {}, single(near), single(far), single(max(near, far)),
+                             single(ring / n), (ring / n,) * 2, ring, (ring, ring), reach, [], np.array([]),
+                             np.array([]), 0)
 
-    def verdicts(self, adaptive, crossover=(), others=()):
-        by_n = lambda groups: {one.n: one for one in groups}
-        return [claim.holds for claim in fig_where._claims(by_n(adaptive), by_n(crossover), list(others))]
+    def verdicts(self, adaptive, crossover=(), further=()):
+        by_n = lambda groups: {group.n: group for group in groups}
+        return [claim.holds for claim in where._claims(by_n(adaptive), by_n(crossover), list(further))]
 
-    def test_no_runs(self):
+    def test_claims_without_runs_are_open(self):
         self.assertEqual(self.verdicts([]), [None, None, None])
 
-    def test_sound_cloth(self):
+    def test_verdicts_on_sound_cloth(self):
         self.assertEqual(self.verdicts([self.group(16, 0.2, 0.1, 1, 3)], [self.group(16, 0.5, 0.3)]),
                          [True, None, True])
 
-    def test_a_failure_that_moved(self):
+    def test_verdicts_on_a_failure_that_moves_away_from_the_pin(self):
         moved = self.group(64, 0.8, 5.5, 6, 5)
         self.assertEqual(self.verdicts([moved], [self.group(64, 4.5, 4.1)]), [False, True, False])
         self.assertEqual(self.verdicts([moved], [self.group(64, 4.5, 6)]), [False, True, True])

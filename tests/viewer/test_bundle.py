@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The committed bundle is made of the committed sources, and has the licences of what is in it."""
+"""The committed bundle was built from the committed sources, and has the licences of its packages."""
 import hashlib
 import json
 import re
@@ -10,7 +10,7 @@ VIEWER = Path(__file__).resolve().parents[2] / "analysis/viewer"
 
 
 def sources_hash():
-    """As analysis/viewer/build.mjs computes it."""
+    """The hash of the sources, computed as in analysis/viewer/build.mjs."""
     files = [path.relative_to(VIEWER).as_posix() for path in (VIEWER / "src").rglob("*")
              if path.is_file() and path.suffix in (".js", ".css")]
     digest = hashlib.sha256()
@@ -20,23 +20,23 @@ def sources_hash():
 
 
 def problems():
-    """Sentences on what is wrong; [] if nothing is."""
-    found, expected = [], sources_hash()
+    """A sentence for each problem of the bundle."""
+    sentences, expected = [], sources_hash()
     for name in ("viewer.js", "page.js", "viewer.css"):
         first = (VIEWER / "dist" / name).read_text(encoding="utf-8").split("\n", 1)[0]
-        told = re.search(r"sources ([0-9a-f]{64})", first)
-        if not told or told[1] != expected:
-            found.append(f"analysis/viewer/dist/{name} is not made of the sources that are there: "
-                         "run `npm ci && npm run build` in analysis/viewer")
+        stated = re.search(r"sources ([0-9a-f]{64})", first)
+        if not stated or stated[1] != expected:
+            sentences.append(f"analysis/viewer/dist/{name} was not built from the current sources: "
+                             "run `npm ci && npm run build` in analysis/viewer")
     licences = (VIEWER / "dist/LICENSES.txt").read_text(encoding="utf-8")
     packages = json.loads((VIEWER / "package.json").read_text(encoding="utf-8"))["dependencies"]
-    found += [f"dist/LICENSES.txt lacks the licence of {name} {version}"
-              for name, version in packages.items() if f"{name} {version} (" not in licences]
+    sentences += [f"dist/LICENSES.txt lacks the licence of {name} {version}"
+                  for name, version in packages.items() if f"{name} {version} (" not in licences]
     for name in ("viewer.js", "page.js"):
         script = (VIEWER / "dist" / name).read_text(encoding="utf-8")
         if "</script" in script.lower() or "<!--" in script:
-            found.append(f"dist/{name} holds a text that would end its script element")
-    return found
+            sentences.append(f"dist/{name} has a text that would end its script element")
+    return sentences
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-/** What a page without a player does by itself. */
+/** The parts of the script that a page without a player needs, too. */
 import { startCharts } from "./charts/index.js";
 import { startChooser } from "./chooser/chooser.js";
 import { startNavigation } from "./page/navigation.js";

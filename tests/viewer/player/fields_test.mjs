@@ -1,4 +1,4 @@
-// Quantities of the player against closed forms, without a browser.
+// Compares the colour fields of the player with closed forms, without a browser.
 import assert from "node:assert/strict";
 import test from "node:test";
 import { distances, FIELDS, principalDirections, stretchesOf, stretchUncertainty } from "../../../analysis/viewer/src/player/fields.js";
@@ -19,9 +19,9 @@ function lattice(n, side) {
 
 const bent = (mesh, change) => Float32Array.from({ length: mesh.rest.length }, (_, i) =>
   change(...mesh.rest.subarray(3 * Math.floor(i / 3), 3 * Math.floor(i / 3) + 3))[i % 3]);
-const near = (found, wanted, off, text = "") => assert.ok(Math.abs(found - wanted) <= off, `${text} ${found}, not ${wanted}`);
+const near = (actual, wanted, off, text = "") => assert.ok(Math.abs(actual - wanted) <= off, `${text} ${actual}, not ${wanted}`);
 
-test("stretches of an affine map are its singular values, wherever it is turned", () => {
+test("stretches of an affine map are its singular values, also after a rotation", () => {
   const mesh = lattice(5, 0.1), turn = 0.7;
   const positions = bent(mesh, (x, y) => {
     const [u, v] = [1.3 * x, 0.6 * y];
@@ -40,7 +40,7 @@ test("stretches of an affine map are its singular values, wherever it is turned"
   near(FIELDS.strain(mesh, positions)[0], 0.4, 2e-5);
 });
 
-test("rounding moves a stretch by less than is told", () => {
+test("rounding of positions changes a stretch by less than the stated uncertainty", () => {
   const mesh = lattice(6, 0.1), step = 1e-3;
   let seed = 1;
   const random = () => (seed = (seed * 16807) % 2147483647) / 2147483647 - 0.5;
@@ -51,7 +51,7 @@ test("rounding moves a stretch by less than is told", () => {
   }
 });
 
-test("an equilateral triangle has quality 1, a flat one 0, a right isosceles one √3 / 2", () => {
+test("the quality of an equilateral triangle is 1, of a flat one 0, of a right isosceles one √3 / 2", () => {
   const mesh = lattice(3, 0.1);
   near(FIELDS.quality(mesh, mesh.rest)[0], 1, 1e-5);
   const right = new Mesh(Float32Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0), Uint32Array.of(0, 1, 2));
@@ -59,7 +59,7 @@ test("an equilateral triangle has quality 1, a flat one 0, a right isosceles one
   near(FIELDS.quality(right, Float32Array.of(0, 0, 0, 1, 0, 0, 2, 0, 0))[0], 0, 1e-6);
 });
 
-test("a sheet bent to a cylinder has ½ κ² of bending energy, on either side and however it lies", () => {
+test("a sheet that is bent to a cylinder, in either direction, has the bending energy ½ κ²", () => {
   const n = 41, mesh = lattice(n, 0.02);
   for (const [radius, sign] of [[0.4, 1], [0.8, -1]]) {
     const positions = bent(mesh, (x, y) => [radius * Math.sin(x / radius), y, sign * radius * (1 - Math.cos(x / radius))]);
@@ -67,7 +67,7 @@ test("a sheet bent to a cylinder has ½ κ² of bending energy, on either side a
     let sum = 0, count = 0;
     for (let t = 0; t < density.length; ++t) {
       const [a] = mesh.triangles.subarray(3 * t);
-      if ([a % n, Math.floor(a / n)].some((k) => k < 3 || k > n - 5)) continue; // hinges are missing at the edge
+      if ([a % n, Math.floor(a / n)].some((k) => k < 3 || k > n - 5)) continue; // fewer hinges at the edge
       sum += density[t];
       ++count;
     }
@@ -76,7 +76,7 @@ test("a sheet bent to a cylinder has ½ κ² of bending energy, on either side a
   assert.ok(FIELDS.bending(mesh, mesh.rest).every((x) => x === 0));
 });
 
-test("the nearest point of a triangle", () => {
+test("the distance to the nearest point of a triangle", () => {
   const corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]];
   near(nearestOn([0.2, 0.3, 2], ...corners).distance, 2, 1e-12);
   near(nearestOn([-1, -1, 0], ...corners).distance, Math.SQRT2, 1e-12);
@@ -84,12 +84,12 @@ test("the nearest point of a triangle", () => {
   near(nearestOn([0.5, -3, 4], ...corners).distance, 5, 1e-12);
 });
 
-test("distance between cloths of different meshes", () => {
+test("the distance between cloths of different meshes", () => {
   const [coarse, fine] = [lattice(9, 0.1), lattice(17, 0.05)];
   const map = new RestMap(coarse, fine);
   assert.equal(map.same, false);
   const moved = bent(fine, (x, y) => [x + 0.3, y, 0.4]);
-  // Where both meshes are: the finer one ends half a side earlier on the right
+  // Only where both meshes exist: the fine mesh ends half a side earlier on the right.
   const inside = [...distances(coarse.rest, map, moved)].filter((_, v) => v % 9 < 8);
   for (const distance of inside) near(distance, 0.5, 1e-5);
   assert.equal(new RestMap(coarse, lattice(9, 0.1)).same, true);

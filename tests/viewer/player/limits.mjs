@@ -1,4 +1,4 @@
-// Measures the two pages of limits.py and compares with the goals.
+// Measures the two pages of limits.py, and compares the results with the goals.
 import { readdirSync, readFileSync, statSync } from "node:fs";
 import { opened, usable } from "./browser.mjs";
 
@@ -6,20 +6,20 @@ if (!usable()) process.exit(77);
 const [eight, large] = process.argv.slice(2);
 let missed = 0;
 
-function say(what, value, unit, goal, atLeast) {
+function report(name, value, unit, goal, atLeast) {
   const held = atLeast ? value >= goal : value <= goal;
   missed += !held;
-  console.log(`${held ? "ok    " : "MISSED"}  ${what}: ${value.toFixed(1)} ${unit} (goal: ${atLeast ? "≥" : "≤"} ${goal})`);
+  console.log(`${held ? "ok    " : "MISSED"}  ${name}: ${value.toFixed(1)} ${unit} (goal: ${atLeast ? "≥" : "≤"} ${goal})`);
 }
 
-/** Processor seconds of this process's children, which are the browser. */
+/** CPU time of the child processes of this process, which are the browser; s. */
 function processorSeconds() {
   const all = new Map();
   for (const id of readdirSync("/proc").filter((name) => /^\d+$/.test(name)))
     try {
       const fields = readFileSync(`/proc/${id}/stat`, "utf8").replace(/^.*\) /s, "").split(" ");
       all.set(id, { parent: fields[1], ticks: Number(fields[11]) + Number(fields[12]) });
-    } catch { /* it has ended */ }
+    } catch { /* the process has ended */ }
   const ours = new Set([String(process.pid)]);
   for (let grown = true; grown;) {
     grown = false;
@@ -28,7 +28,7 @@ function processorSeconds() {
   return [...ours].reduce((sum, id) => sum + (id === String(process.pid) ? 0 : all.get(id).ticks / 100), 0);
 }
 
-/** Milliseconds from the page's begin until its cloth is drawn, and drawn it is: a pixel is read. */
+/** Time from the start of the page until its cloth is drawn, ms. Reading a pixel waits for the drawing. */
 async function firstFrame(page, file) {
   await page.addInitScript(() => {
     const look = () => {
@@ -52,7 +52,7 @@ async function framesPerSecond(page, runs) {
     if (runs < player.ids.length) await player.show(player.ids.slice(0, runs));
     while (!player.decoded) await new Promise((resume) => setTimeout(resume, 50));
     player.setLoop(true);
-    player.setSpeed(4); // so that each picture is of another frame
+    player.setSpeed(4); // fast enough for a new frame in every picture
     player.play();
   }, runs);
   await page.waitForTimeout(3000);
@@ -69,12 +69,12 @@ for (const { file, name, bytes, runs, rate } of [
   { file: eight, name: "8 runs × 151 frames × 4 096 vertices", bytes: 12, runs: 1, rate: 30 },
   { file: large, name: "1 run × 61 frames × 66 049 vertices", bytes: 60, runs: 1, rate: 10 }]) {
   console.log(name);
-  say("page", statSync(file).size / 1e6, "MB", bytes, false);
+  report("page", statSync(file).size / 1e6, "MB", bytes, false);
   const { browser, page } = await opened("about:blank", { calm: true });
   const first = await firstFrame(page, file);
-  if (file === eight) say("first frame", first / 1000, "s", 2, false);
+  if (file === eight) report("first frame", first / 1000, "s", 2, false);
   else console.log(`        first frame ${(first / 1000).toFixed(1)} s`);
-  say("playback of one run", await framesPerSecond(page, runs), "frames/s", rate, true);
+  report("playback of one run", await framesPerSecond(page, runs), "frames/s", rate, true);
   await browser.close();
 }
 process.exit(missed ? 1 : 0);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""How much the player can carry: limits.py PROGRAM [FOLDER]
+"""Measures how much data the player can show: limits.py PROGRAM [FOLDER]
 
-Computes eight runs of 4 096 vertices × 151 frames and one of 66 049 × 61 into FOLDER (default: one that is
-deleted; runs that are there already are not computed again), writes a page of each, and measures in a browser
-with software graphics: bytes, time to the first frame, frames per second. Exit code 1 if a goal is missed, 77
-without a browser. Other programs that run meanwhile slow it down: the load is printed.
+Computes eight runs of 4 096 vertices × 151 frames and a run of 66 049 × 61 into FOLDER (default: a temporary
+folder). Existing runs in FOLDER are not computed again. Writes a page of each sweep, and measures it with
+software graphics: bytes, time to the first frame, frames per second. Exit code 1 if a goal is missed, 77
+without a browser. As other programs slow the measurement down, the load is printed.
 """
 import json
 import os
@@ -35,7 +35,7 @@ LARGE = SHEET | {"name": "limits_large", "duration": 2, "mesh": SHEET["mesh"] | 
 
 
 def page_of(program, folder, config):
-    """The page of a config's runs."""
+    """Computes the runs of a config, and writes their page."""
     name = config["name"]
     (folder / f"{name}.json").write_text(json.dumps(config), encoding="utf-8")
     subprocess.run([program,

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes a page with nothing but a player: page.py OUT.html RUN.vtkhdf…  (for tests and screenshots)"""
+"""Writes a page that has only a player, for tests and screenshots: page.py OUT.html RUN.vtkhdf…"""
 import base64
 import hashlib
 import json
@@ -9,7 +9,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-from frames import playback  # noqa: E402
+from draw.frames import playback  # noqa: E402
 from bendlab.results.load import load_run  # noqa: E402
 
 DIST = ROOT / "analysis/viewer/dist"
@@ -17,9 +17,9 @@ DIST = ROOT / "analysis/viewer/dist"
 
 def write_page(path, runs, **how):
     """Writes the page of these runs; returns its Playback."""
-    shown = playback(runs, **how)
+    player = playback(runs, **how)
     script, style = ((DIST / f"viewer.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
-    data = json.dumps(shown.data).replace("<", "\\u003c")
+    data = json.dumps(player.data).replace("<", "\\u003c")
     policy = (
         f"default-src 'none'; script-src '{_hash(script)}'; style-src '{_hash(style)}'; img-src data: blob:; "
         "media-src blob:")
@@ -27,10 +27,10 @@ def write_page(path, runs, **how):
         "<!doctype html><html lang='en'><head><meta charset='utf-8'>"
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">'
         "<meta name='viewport' content='width=device-width, initial-scale=1'><title>Player</title>"
-        f"<style>{style}</style></head><body><main><h1>Player</h1>{shown.players}</main>"
-        f"<script type='application/json' id='bendlab-data'>{data}</script>\n{shown.scripts}\n"
+        f"<style>{style}</style></head><body><main><h1>Player</h1>{player.players}</main>"
+        f"<script type='application/json' id='bendlab-data'>{data}</script>\n{player.scripts}\n"
         f"<script>{script}</script></body></html>", encoding="utf-8")
-    return shown
+    return player
 
 
 def _hash(text):

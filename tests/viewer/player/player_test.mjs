@@ -1,4 +1,4 @@
-// Uses the pages that test_player.py wrote, as a user does, and compares with what h5py read.
+// Uses the pages of test_player.py like a user, and compares them with the values that h5py read.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { opened, until, usable } from "./browser.mjs";
@@ -7,16 +7,16 @@ if (!usable()) process.exit(77);
 const folder = process.argv[2];
 const expected = JSON.parse(readFileSync(`${folder}/expected.json`, "utf8"));
 const PLAYER = "document.querySelector('.player').player";
-const only = process.env.BENDLAB_VIEWER_TEST; // a part of a name
+const only = process.env.BENDLAB_VIEWER_TEST; // part of the name of a test
 
 async function ready(page) {
   await page.waitForSelector(".player[data-decoded]");
 }
 
-/** Where a vertex of the first view is on the screen. */
+/** The screen position of a vertex of the first view. */
 const onScreen = (page, vertex) => page.evaluate((vertex) => {
   const player = document.querySelector(".player").player, view = player.views[0];
-  player.drawNow(); // or the camera is that of the picture before
+  player.drawNow(); // else the camera is still that of the last picture
   const place = view.camera.position.clone().fromArray(view.cloth.positions, 3 * vertex).project(view.camera);
   const box = player.cells[0].element.getBoundingClientRect();
   return { x: box.left + (place.x + 1) / 2 * box.width, y: box.top + (1 - place.y) / 2 * box.height };
@@ -35,33 +35,48 @@ async function withPage(name, how, use) {
 }
 
 const tests = {
-  async "positions are within half a step of the run file in every frame"() {
+  async "clicks before the frames are read cause no error"() {
+    await withPage("page", { calm: true, early: ["One frame on", "Play", "One frame back", "One frame on"] },
+      async (page) => {
+        assert.doesNotMatch(await page.textContent(".player-clock"), /NaN/);
+        assert.ok(Number.isFinite(await page.evaluate(`${PLAYER}.time`)));
+      });
+  },
+
+  async "a pick in moving cloth shows its values immediately"() {
+    await withPage("page", {}, async (page) => {
+      await page.evaluate(`${PLAYER}.setLoop(true), ${PLAYER}.setSpeed(0.1), ${PLAYER}.play()`);
+      assert.ok(await page.evaluate(`(${PLAYER}.pickNumber("vertex", 3), !${PLAYER}.controls.panel.element.hidden)`));
+    });
+  },
+
+  async "positions differ from the run file by at most half a step in every frame"() {
     await withPage("page", { calm: true }, async (page) => {
       for (const [i, { positions, times, triangles, pinned }] of expected.entries()) {
-        const found = await page.evaluate(([i, positions]) => {
+        const played = await page.evaluate(([i, positions]) => {
           const { frames } = document.querySelector(".player").player.views[i];
-          const each = new Float64Array(3 * frames.vertices);
+          const points = new Float64Array(3 * frames.vertices);
           let worst = 0;
           for (let frame = 0; frame < frames.count; ++frame) {
-            frames.positions(frame, each);
-            for (let k = 0; k < each.length; ++k)
-              worst = Math.max(worst, Math.abs(each[k] - positions[frame * each.length + k]));
+            frames.positions(frame, points);
+            for (let k = 0; k < points.length; ++k)
+              worst = Math.max(worst, Math.abs(points[k] - positions[frame * points.length + k]));
           }
           return { worst, half: frames.head.step / 2, count: frames.count, times: [...frames.times],
                    triangles: [...frames.triangles], pinned: [...frames.pinned],
                    box: frames.head.box[1].map((x, c) => x - frames.head.box[0][c]) };
         }, [i, positions]);
-        assert.ok(found.worst <= found.half * (1 + 1e-9), `${found.worst} > ${found.half}`);
-        assert.ok(found.half <= Math.max(...found.box) / 65535 / 2 * (1 + 1e-9), "16 bits within the run's box");
-        assert.equal(found.count, times.length);
-        found.times.forEach((time, k) => assert.ok(Math.abs(time - times[k]) < 1e-8));
-        assert.deepEqual(found.triangles, triangles);
-        assert.deepEqual(found.pinned, pinned);
+        assert.ok(played.worst <= played.half * (1 + 1e-9), `${played.worst} > ${played.half}`);
+        assert.ok(played.half <= Math.max(...played.box) / 65535 / 2 * (1 + 1e-9), "16 bits within the run's box");
+        assert.equal(played.count, times.length);
+        played.times.forEach((time, k) => assert.ok(Math.abs(time - times[k]) < 1e-8));
+        assert.deepEqual(played.triangles, triangles);
+        assert.deepEqual(played.pinned, pinned);
       }
     });
   },
 
-  async "stretches and shapes are those of the run file, within what rounding allows"() {
+  async "stretches and shapes differ from the run file only by rounding"() {
     await withPage("page", { calm: true }, async (page) => {
       for (const [i, { max_stretch, min_stretch, shape }] of expected.entries()) {
         const worst = await page.evaluate(async ([i, largest, smallest, shape]) => {
@@ -76,12 +91,12 @@ const tests = {
             const quality = player.compare.values("quality", view, null).values;
             for (let t = 0; t < mesh.triangleCount; ++t) {
               const k = frame * mesh.triangleCount + t;
-              // |dF| of two edges whose ends are half a step off on three axes, and float32's own digits
+              // |dF| of two edges whose ends are half a step off on three axes, and the rounding of float32.
               const off = Math.sqrt(6) * frames.head.step * mesh.frames.reach[t] + 2e-6 * largest[k];
               result.uncertainty = Math.max(result.uncertainty, off);
-              const told = Math.max(Math.abs(largest[k] - 1), Math.abs(smallest[k] - 1));
+              const stored = Math.max(Math.abs(largest[k] - 1), Math.abs(smallest[k] - 1));
               result.stretch = Math.max(result.stretch, Math.abs(stretch[t] + 1 - largest[k]) / off,
-                                        Math.abs(strain[t] - told) / off);
+                                        Math.abs(strain[t] - stored) / off);
               result.shape = Math.max(result.shape, Math.abs(quality[t] - shape[k]));
             }
           }
@@ -94,23 +109,23 @@ const tests = {
     });
   },
 
-  async "a pick answers with what h5py reads"() {
+  async "the values of a pick agree with the run file"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.evaluate(`${PLAYER}.seek(0.5), ${PLAYER}.drawNow()`);
-      // Where a vertex in the middle is on the screen
+      // The screen position of a vertex in the middle.
       const at = await onScreen(page, 6 * 13 + 6);
       await page.mouse.click(at.x, at.y);
       await page.waitForSelector(".player-panel:not([hidden])");
       const row = async (name, column = 1) => page.evaluate(([name, column]) =>
-        [...document.querySelectorAll(".player-panel tr")].filter((each) => each.cells[0].textContent === name)
-          .map((each) => each.cells[column].textContent), [name, column]);
+        [...document.querySelectorAll(".player-panel tr")].filter((line) => line.cells[0].textContent === name)
+          .map((line) => line.cells[column].textContent), [name, column]);
       const [vertex, triangle] = (await row("number")).map(Number);
       const [run] = expected, frame = run.times.findLastIndex((time) => time <= 0.5 + 1e-9);
       assert.deepEqual(await row("frame"), [`${frame} (${run.times[frame].toFixed(4)} s)`]);
       const half = await page.evaluate(`${PLAYER}.views[0].frames.head.step / 2`);
-      const [told] = await row("position (m)");
+      const [position] = await row("position (m)");
       const vertices = run.positions.length / 3 / run.times.length;
-      told.replaceAll("−", "-").split(", ").map(Number).forEach((x, c) => {
+      position.replaceAll("−", "-").split(", ").map(Number).forEach((x, c) => {
         const stored = run.positions[3 * (frame * vertices + vertex) + c];
         assert.ok(Math.abs(x - stored) <= half + 6e-6, `${x} is not ${stored}`);
       });
@@ -124,19 +139,19 @@ const tests = {
       }
       assert.deepEqual((await row("vertices"))[0].split(", ").map(Number), run.triangles.slice(3 * triangle, 3 * triangle + 3));
       assert.ok(run.triangles.slice(3 * triangle, 3 * triangle + 3).includes(vertex));
-      // The springs that the file has at this vertex, all drawn
+      // All springs that the file has at this vertex are drawn.
       const springs = [];
       for (let i = 0; i < run.springs.length; i += 2)
         if (run.springs[i] === vertex || run.springs[i + 1] === vertex)
           springs.push(run.springs[i] === vertex ? run.springs[i + 1] : run.springs[i]);
       assert.ok(springs.length > 0);
       await until(page, `${PLAYER}.views.every((view) => view.picked.read)`);
-      const drawn = await page.evaluate(`${PLAYER}.views[0].picked.springs.flatMap((each) => each.others)`);
+      const drawn = await page.evaluate(`${PLAYER}.views[0].picked.springs.flatMap((ring) => ring.others)`);
       assert.deepEqual(drawn.sort((a, b) => a - b), springs.sort((a, b) => a - b));
       const texts = await page.locator(".player-springs").textContent();
       assert.match(texts, /ring 1: \d/);
-      assert.match(texts, /--set \/output\/constraints=true/, "the run without springs says how to get them");
-      // The same place of the finer mesh is near it at rest
+      assert.match(texts, /--set \/output\/constraints=true/, "the run without springs has the setting that records them");
+      // In the finer mesh, the picked vertex at rest is near the same place.
       const away = await page.evaluate(() => {
         const [a, , c] = document.querySelector(".player").player.views;
         return Math.hypot(...[0, 1, 2].map((k) => a.mesh.rest[3 * a.picked.vertex + k] - c.mesh.rest[3 * c.picked.vertex + k]));
@@ -147,21 +162,21 @@ const tests = {
     });
   },
 
-  async "no springs are told before they are read"() {
+  async "the panel does not state that there are no springs before they are read"() {
     await withPage("page", { calm: true }, async (page) => {
-      const told = await page.evaluate(() => {
+      const text = await page.evaluate(() => {
         const { player } = document.querySelector(".player");
         player.pickNumber("vertex", 84);
         player.drawNow();
         return document.querySelector(".player-springs").textContent;
       });
-      assert.match(told, /being read/);
-      assert.doesNotMatch(told, /No spring/);
+      assert.match(text, /being read/);
+      assert.doesNotMatch(text, /No spring/);
       await until(page, "/ring 1: /.test(document.querySelector('.player-springs').textContent)");
     });
   },
 
-  async "printed cloth has a light ground, in dark too"() {
+  async "printed cloth has a light background, also in dark mode"() {
     await withPage("page", { calm: true, dark: true }, async (page) => {
       const ground = () => page.evaluate(`[...${PLAYER}.stage.ground.bottom]`);
       assert.ok((await ground()).every((c) => c < 0.2));
@@ -176,7 +191,7 @@ const tests = {
   async "time: play, pause, step, slider, speed, loop, different rates"() {
     await withPage("page", { calm: true }, async (page) => {
       const time = () => page.evaluate(`${PLAYER}.time`);
-      assert.equal(await time(), 0, "nothing plays by itself where motion is unwelcome");
+      assert.equal(await time(), 0, "the player does not start by itself with reduced motion");
       await page.locator(".player-view").first().focus();
       await page.keyboard.press("ArrowRight");
       assert.ok(Math.abs(await time() - 1 / 30) < 1e-6);
@@ -199,7 +214,7 @@ const tests = {
       await page.locator(".player-slider").fill("0.5");
       const at = await page.evaluate(`${PLAYER}.drawNow(), ${PLAYER}.views.map((view) => view.time)`);
       at.forEach((shown, i) => {
-        const last = expected[i].times.findLast((each) => each <= 0.5 + 1e-9);
+        const last = expected[i].times.findLast((time) => time <= 0.5 + 1e-9);
         assert.ok(Math.abs(shown - last) < 1e-8);
       });
       await page.locator(".player-view").first().focus();
@@ -210,14 +225,14 @@ const tests = {
     });
   },
 
-  async "it plays by itself where motion is welcome, once"() {
+  async "the player starts by itself and plays once if motion is allowed"() {
     await withPage("page", {}, async (page) => {
       await until(page, `${PLAYER}.time >= 1`);
       assert.equal(await page.evaluate(`${PLAYER}.playing`), false);
     });
   },
 
-  async "cameras are locked together, or not"() {
+  async "cameras turn together, or separately"() {
     await withPage("page", { calm: true }, async (page) => {
       const turns = () => page.evaluate(`${PLAYER}.views.map((view) => view.orbit.azimuth)`);
       const box = await page.locator(".player-view").nth(1).boundingBox();
@@ -244,24 +259,24 @@ const tests = {
     });
   },
 
-  async "distance and differences to another run"() {
+  async "colours show the distance and the differences to another run"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.getByLabel("Compare with").selectOption({ label: "dihedral" });
       assert.equal(await page.evaluate(`${PLAYER}.key`), "distance");
       await page.evaluate(`${PLAYER}.seek(0.5), ${PLAYER}.drawNow()`);
-      const found = await page.evaluate(() => {
+      const distances = await page.evaluate(() => {
         const player = document.querySelector(".player").player;
         return [...player.compare.values("distance", player.views[0], player.reference).values];
       });
-      const [a, b] = expected, vertices = found.length;
+      const [a, b] = expected, vertices = distances.length;
       const frame = a.times.findLastIndex((time) => time <= 0.5 + 1e-9);
-      found.forEach((distance, v) => {
+      distances.forEach((distance, v) => {
         const stored = Math.hypot(...[0, 1, 2].map((c) => a.positions[3 * (frame * vertices + v) + c] -
           b.positions[3 * (frame * vertices + v) + c]));
         assert.ok(Math.abs(distance - stored) < 1e-4, `${distance} is not ${stored}`);
       });
       assert.match(await page.locator(".player-bar-name").textContent(), /\(m\)/);
-      // At rest two meshes of one sheet are in the same place
+      // At rest, two meshes of the same sheet are at the same place.
       const rest = await page.evaluate(() => {
         const player = document.querySelector(".player").player, view = player.views[2];
         return Math.max(...player.compare.values("distance", view, player.reference, view.mesh.rest,
@@ -274,7 +289,7 @@ const tests = {
     });
   },
 
-  async "the colour bar has a unit and a range, which can be typed"() {
+  async "the colour bar has a unit and a range, and the range can be typed"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.getByLabel("Colour", { exact: true }).selectOption("bending");
       await page.evaluate(`${PLAYER}.drawNow()`);
@@ -289,7 +304,7 @@ const tests = {
     });
   },
 
-  async "the cloth is in the picture, its back has another tone, a fold is darker"() {
+  async "the picture shows the cloth, and front and back have different colours"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.getByLabel("Colour", { exact: true }).selectOption("none");
       const colour = async () => page.evaluate(() => {
@@ -312,30 +327,30 @@ const tests = {
     });
   },
 
-  async "obstacles move with their velocity, pins with the cloth"() {
+  async "obstacles move with their velocity, and pins move with the cloth"() {
     await withPage("page", { calm: true }, async (page) => {
       for (const frame of [0, 17]) {
-        const found = await page.evaluate((frame) => {
+        const drawn = await page.evaluate((frame) => {
           const player = document.querySelector(".player").player, view = player.views[0];
           player.time = view.frames.times[frame];
           player.drawNow();
-          const [{ drawn }] = view.obstacles, points = drawn.geometry.getAttribute("position").array;
+          const [{ drawn: mesh }] = view.obstacles, points = mesh.geometry.getAttribute("position").array;
           const low = [0, 1, 2].map((c) => points.filter((_, i) => i % 3 === c).reduce((a, b) => Math.min(a, b)));
           const high = [0, 1, 2].map((c) => points.filter((_, i) => i % 3 === c).reduce((a, b) => Math.max(a, b)));
-          return { centre: low.map((x, c) => (x + high[c]) / 2 + drawn.position.getComponent(c)), wide: high[0] - low[0],
-                   visible: drawn.visible, pins: [...view.pinMarks.geometry.getAttribute("position").array],
+          return { centre: low.map((x, c) => (x + high[c]) / 2 + mesh.position.getComponent(c)), wide: high[0] - low[0],
+                   visible: mesh.visible, pins: [...view.pinMarks.geometry.getAttribute("position").array],
                    order: [...view.pins], time: view.time };
         }, frame);
-        [0.1, -0.2, -0.4 + 0.2 * found.time].forEach((x, c) => assert.ok(Math.abs(found.centre[c] - x) < 1e-3));
-        assert.ok(Math.abs(found.wide - 0.3) < 1e-3 && found.visible);
+        [0.1, -0.2, -0.4 + 0.2 * drawn.time].forEach((x, c) => assert.ok(Math.abs(drawn.centre[c] - x) < 1e-3));
+        assert.ok(Math.abs(drawn.wide - 0.3) < 1e-3 && drawn.visible);
         const vertices = expected[0].positions.length / 3 / expected[0].times.length;
-        found.order.forEach((v, i) => [0, 1, 2].forEach((c) => assert.ok(
-          Math.abs(found.pins[3 * i + c] - expected[0].positions[3 * (frame * vertices + v) + c]) < 1e-4)));
+        drawn.order.forEach((v, i) => [0, 1, 2].forEach((c) => assert.ok(
+          Math.abs(drawn.pins[3 * i + c] - expected[0].positions[3 * (frame * vertices + v) + c]) < 1e-4)));
       }
     });
   },
 
-  async "full screen and back"() {
+  async "full screen can be opened and closed"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.locator(".player-view").first().focus();
       const height = () => page.evaluate("document.querySelector('.player-stage').clientHeight");
@@ -347,7 +362,7 @@ const tests = {
     });
   },
 
-  async "runs without frames say what to do; texts are texts"() {
+  async "a run without frames states its remedy, and texts do not become markup"() {
     await withPage("bare", { calm: true }, async (page) => {
       assert.match(await page.locator(".player-empty").textContent(), /Do this: .*\.\/bendlab run again/);
       assert.equal(await page.evaluate(`${PLAYER}.views.length`), 3);
@@ -356,7 +371,7 @@ const tests = {
     });
   },
 
-  async "frames that were left out are told"() {
+  async "the page states how many frames are left out"() {
     await withPage("thin", { calm: true }, async (page) => {
       assert.match(await page.locator(".player-notes").textContent(), /\d+ of 31 frames are shown, one of \d+/);
       const { chosen, times } = await page.evaluate(`${PLAYER}.views[0].frames.head`);
@@ -365,7 +380,7 @@ const tests = {
     });
   },
 
-  async "a still, a WebM and an animated PNG are saved"() {
+  async "a still, a WebM video and an animated PNG can be saved"() {
     await withPage("page", { calm: true }, async (page) => {
       const saved = async (key) => {
         const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press(key)]);
@@ -387,35 +402,35 @@ const tests = {
       assert.match(pictures.name, /\.png$/);
       const text = pictures.bytes.toString("latin1");
       assert.ok(text.includes("acTL") && text.includes("fdAT"), "more than one picture");
-      const shown = await page.evaluate(async (bytes) => {
+      const size = await page.evaluate(async (bytes) => {
         const image = new Image();
         image.src = URL.createObjectURL(new Blob([Uint8Array.from(bytes)], { type: "image/png" }));
         await image.decode();
         return [image.width, image.height];
       }, [...pictures.bytes]);
-      assert.ok(shown[0] > 100 && shown[1] > 100);
+      assert.ok(size[0] > 100 && size[1] > 100);
     });
   },
 
-  async "the keyboard alone reaches everything"() {
+  async "every control can be reached by keyboard"() {
     await withPage("page", { calm: true }, async (page) => {
       const wanted = await page.evaluate(() => [...document.querySelectorAll(
         ".player button, .player select, .player input, .player summary, .player-view")]
-        .filter((each) => each.checkVisibility() && !each.closest("dialog")).length);
+        .filter((element) => element.checkVisibility() && !element.closest("dialog")).length);
       const reached = new Set();
       for (let i = 0; i < wanted + 5; ++i) {
         await page.keyboard.press("Tab");
-        const found = await page.evaluate(() => {
-          const each = document.activeElement;
-          if (!each.closest(".player")) return null;
-          each.dataset.reached ??= String(Math.random());
-          const { outlineStyle, outlineWidth } = getComputedStyle(each);
-          return { id: each.dataset.reached, seen: outlineStyle !== "none" && outlineWidth !== "0px",
-                   name: each.ariaLabel ?? each.textContent };
+        const focused = await page.evaluate(() => {
+          const element = document.activeElement;
+          if (!element.closest(".player")) return null;
+          element.dataset.reached ??= String(Math.random());
+          const { outlineStyle, outlineWidth } = getComputedStyle(element);
+          return { id: element.dataset.reached, ring: outlineStyle !== "none" && outlineWidth !== "0px",
+                   name: element.ariaLabel ?? element.textContent };
         });
-        if (found) {
-          assert.ok(found.seen, `${found.name} shows that it has the focus`);
-          reached.add(found.id);
+        if (focused) {
+          assert.ok(focused.ring, `${focused.name} shows that it has the focus`);
+          reached.add(focused.id);
         }
       }
       assert.equal(reached.size, wanted);
@@ -427,26 +442,26 @@ const tests = {
       await page.locator(".player-view").first().focus();
       await page.keyboard.press("v");
       await page.keyboard.type("2");
-      await page.evaluate(`${PLAYER}.drawNow()`); // as it does by itself a moment after the last change
+      await page.evaluate(`${PLAYER}.drawNow()`); // the player does this itself a moment after the last change
       await page.keyboard.type("0");
       await page.keyboard.press("Enter");
       await until(page, `${PLAYER}.views[0].picked.vertex === 20`);
       await page.keyboard.press("v");
       await page.keyboard.type("9999");
       await page.keyboard.press("Enter");
-      await until(page, `${PLAYER}.views[0].picked.vertex === 168`); // the last one
+      await until(page, `${PLAYER}.views[0].picked.vertex === 168`); // the last vertex
       await until(page, "document.activeElement.value === '168'");
       await page.keyboard.type("7");
-      await page.keyboard.press("Escape"); // what was typed is not chosen
+      await page.keyboard.press("Escape"); // Escape discards the typed number
       await until(page, `${PLAYER}.views[0].picked.vertex === null`);
       assert.equal(await page.evaluate("document.activeElement.className"), "player-view player-left player-upper");
       const named = await page.evaluate(() => [...document.querySelectorAll(".player button, .player input, .player select")]
-        .filter((each) => !(each.ariaLabel || each.textContent.trim() || each.labels?.length)).length);
+        .filter((control) => !(control.ariaLabel || control.textContent.trim() || control.labels?.length)).length);
       assert.equal(named, 0, "every control has a name");
     });
   },
 
-  async "runs are chosen and left, and the graphics are given back"() {
+  async "runs can be deselected, and the player frees its graphics"() {
     await withPage("page", { calm: true }, async (page) => {
       await page.locator(".player-runs summary").click();
       await page.locator(".player-runs input").nth(1).uncheck();
@@ -457,7 +472,7 @@ const tests = {
     });
   },
 
-  async "a phone: touch turns the cloth, nothing sticks out"() {
+  async "on a phone, a tap picks, and no element is wider than the screen"() {
     await withPage("page", { calm: true, width: 420, height: 800, touch: true }, async (page) => {
       assert.ok(await page.evaluate("document.documentElement.scrollWidth <= 420"));
       const { x, y } = await onScreen(page, 6 * 13 + 6);

@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
-"""The player in a real browser: test_player.py PROGRAM
+"""Tests the player in a real browser: test_player.py PROGRAM
 
-Computes three small runs, writes a page with them, and lets player_test.mjs use it. What it expects is read
-here,
-with h5py, from the run files. Exit code 77: no browser, Node or playwright-core.
+Computes three small runs, writes a page with them, and runs player_test.mjs on it. The expected values are
+read here from the run files with h5py. Exit code 77: no browser, Node or playwright-core.
 """
 import json
 import os
@@ -36,11 +35,12 @@ SHEET = {
 
 
 def compute(program, folder):
-    """Three runs: two that differ in their model, one with another mesh, rate and length, without springs."""
-    other = SHEET | {"duration": 0.6, "mesh": SHEET["mesh"] | {"cells": 17},
+    """Three runs: two with different models, and a third with another mesh, frame rate and duration,
+    which has no recorded springs."""
+    third = SHEET | {"duration": 0.6, "mesh": SHEET["mesh"] | {"cells": 17},
                      "output": {"frames_per_second": 12}}
     for name, config in (("a", SHEET), ("b", SHEET | {"bending": SHEET["bending"] | {"model": "dihedral"}}),
-                         ("c", other)):
+                         ("c", third)):
         path = folder / f"{name}.json"
         path.write_text(json.dumps(config), encoding="utf-8")
         subprocess.run([program, "run", path, "--out", folder / name], check=True, stdout=subprocess.DEVNULL)
@@ -48,7 +48,7 @@ def compute(program, folder):
 
 
 def expected(run):
-    """What h5py reads of a run."""
+    """The values of a run that h5py reads."""
     with h5py.File(run.file, "r") as file:
         vertices, triangles = len(file["rest/positions"]), len(file["rest/triangles"])
         points = file["VTKHDF/Points"][()].reshape(-1, vertices, 3)
@@ -67,7 +67,7 @@ def expected(run):
 
 
 def shapes(points, triangles):
-    """(F, T) 4√3 A / (a² + b² + c²), of the Verdict manual."""
+    """Shape quality (F, T) of the Verdict manual: 4√3 A / (a² + b² + c²)."""
     a, b, c = (points[:, triangles[:, i]] for i in range(3))
     area = np.linalg.norm(np.cross(b - a, c - a), axis=-1) / 2
     return 4 * np.sqrt(3) * area / sum(((x - y)**2).sum(axis=-1) for x, y in ((a, b), (b, c), (c, a)))
@@ -83,9 +83,9 @@ def main(program):
         folder = Path(name)
         runs = compute(program, folder)
         labels = {runs[0].id: MARKUP, runs[1].id: "dihedral", runs[2].id: "fine"}
-        shown = write_page(folder / "page.html", runs, labels=labels)
-        bare = json.loads(json.dumps(shown.data["runs"][0])) | {"id": "bare", "frames": None, "label": "bare",
-                                                                "remedy": "Do this: ./bendlab run again"}
+        player = write_page(folder / "page.html", runs, labels=labels)
+        bare = json.loads(json.dumps(player.data["runs"][0]))
+        bare |= {"id": "bare", "frames": None, "label": "bare", "remedy": "Do this: ./bendlab run again"}
         page = (folder / "page.html").read_text(encoding="utf-8")
         bare_json = json.dumps(bare).replace("<", "\\u003c")
         (folder / "bare.html").write_text(
@@ -93,9 +93,9 @@ def main(program):
             .replace("data-runs='", "data-runs='bare ", 1), encoding="utf-8")
         write_page(folder / "thin.html", runs[:1], limit=8000)
         (folder / "expected.json").write_text(json.dumps([expected(run) for run in runs]), encoding="utf-8")
-        used = subprocess.run([node, HERE / "player_test.mjs", folder],
-                              env=os.environ, check=False).returncode
-        return formulas or used
+        in_browser = subprocess.run([node, HERE / "player_test.mjs", folder],
+                                    env=os.environ, check=False).returncode
+        return formulas or in_browser
 
 
 if __name__ == "__main__":

@@ -1,16 +1,16 @@
-"""Reports of made-up runs."""
+"""Reports of invented runs."""
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
 
-from collected import Sweep  # noqa: E402
+from runs.collected import Sweep  # noqa: E402
 from bendlab.results.load import Run  # noqa: E402
-from sweep_page import Report  # noqa: E402
+from sweep.report import Report  # noqa: E402
 
 
 def run_at(point, summary=None, status="complete", **more):
-    """A run without a file at a place of a sweep."""
+    """A run at a point of a sweep, without a file."""
     config = {"bending": {"model": point.get("/bending/model", "adaptive")},
               "mesh": {"cells": point.get("/mesh/cells", 8)}, "duration": 1.0}
     for pointer, value in point.items():

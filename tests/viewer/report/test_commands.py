@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`bendlab report` and `bendlab view` as somebody would use them: test_commands.py PROGRAM"""
+"""Tests of `bendlab report` and `bendlab view` from a user's point of view: test_commands.py PROGRAM"""
 import http.client
 import json
 import os
@@ -27,7 +27,7 @@ LONG = {"name": "long", "duration": 600, "mesh": {"cells": 32}, "pins": {"vertic
 
 
 class Place(unittest.TestCase):
-    """A folder with a sweep that is computed once."""
+    """A folder with a sweep, which is computed once for all tests."""
 
     @classmethod
     def setUpClass(cls):
@@ -37,8 +37,8 @@ class Place(unittest.TestCase):
         cls.environment |= {"XDG_CACHE_HOME": str(cls.folder / "cache")}
         (cls.folder / "some.json").write_text(json.dumps(SWEEP))
         done = cls.run_program("run", "some.json", "--json")
-        cls.told = [json.loads(line) for line in done.stdout.splitlines()]
-        assert len(cls.told) == 4, done.stderr
+        cls.runs = [json.loads(line) for line in done.stdout.splitlines()]
+        assert len(cls.runs) == 4, done.stderr
 
     @classmethod
     def tearDownClass(cls):
@@ -51,7 +51,7 @@ class Place(unittest.TestCase):
                               timeout=120)
 
     def page(self, *arguments):
-        """The data of the page that these arguments make, and its text."""
+        """Makes a page with these arguments. Returns its data and its text."""
         done = self.run_program("report", *arguments, "-o", "page.html")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout, "page.html\n")
@@ -65,16 +65,16 @@ class Place(unittest.TestCase):
 
 
 class Report(Place):
-    def test_the_page_lies_beside_its_runs(self):
+    def test_the_page_is_written_next_to_its_runs(self):
         done = self.run_program("report", "results/some")
         self.assertEqual((done.stdout, done.stderr), ("results/some/report.html\n", ""))
         self.assertTrue((self.folder / "results/some/report.html").exists())
-        run = Path(self.told[0]["file"])
+        run = Path(self.runs[0]["file"])
         self.assertEqual(self.run_program("report", run).stdout, f"{run.parent / 'report.html'}\n")
-        self.assertEqual(self.run_program("report", run, Path(self.told[1]["file"]).parent).stdout,
+        self.assertEqual(self.run_program("report", run, Path(self.runs[1]["file"]).parent).stdout,
                          "results/some/report.html\n")
 
-    def test_a_config_is_its_sweep_and_its_folder_stays_as_it_is(self):
+    def test_a_config_stands_for_its_sweep_and_its_folder_is_not_changed(self):
         done = self.run_program("report", "some.json")
         self.assertEqual((done.stdout, done.stderr), ("results/some/report.html\n", ""))
         self.assertFalse((self.folder / "report.html").exists())
@@ -82,55 +82,55 @@ class Report(Place):
         self.assertIn("'bendlab run new.json' computes them", self.wrong("report", "new.json"))
         (self.folder / "new.json").unlink()
 
-    def test_charts_as_files(self):
+    def test_charts_are_written_as_files(self):
         done = self.run_program("report", "results/some", "--figures", "svg")
         self.assertRegex(done.stdout, "results/some/report.html\nresults/some/figures: [0-9]+ figures\n")
         drawn = {file.name for file in (self.folder / "results/some/figures").iterdir()}
         self.assertIn("drop-against-cells-along-the-width.svg", drawn)
         shutil.rmtree(self.folder / "results/some/figures")
 
-    def test_any_number_against_any_other(self):
-        asked = ("--x", "ms_per_frame", "--y", "drop")
-        data, _ = self.page("results/some", *asked)
+    def test_a_chart_of_one_metric_over_another(self):
+        axes = ("--x", "ms_per_frame", "--y", "drop")
+        data, _ = self.page("results/some", *axes)
         chart = data["charts"][0]
         self.assertEqual((chart["id"], chart["x"]["name"], [y["name"] for y in chart["ys"]]),
                          ("s1-asked", "ms_per_frame", ["drop"]))
-        drops = {entry["id"]: entry["summary"]["drop"] for entry in self.told}
+        drops = {entry["id"]: entry["summary"]["drop"] for entry in self.runs}
         for series in chart["series"]:
             for run, drop in zip(series["runs"], series["y"]["drop"]):
                 self.assertAlmostEqual(drop, drops[run[0]], 4)
-        done = self.run_program("report", "results/some", *asked, "--figures", "pdf")
+        done = self.run_program("report", "results/some", *axes, "--figures", "pdf")
         self.assertEqual(done.stdout.splitlines()[1],
                          "results/some/figures/drop-against-CPU-time-per-frame.pdf")
-        told = self.wrong("report", "results/some", "--x", "dropp", "--y", "drop")
-        self.assertIn("did you mean drop", told)
+        error = self.wrong("report", "results/some", "--x", "dropp", "--y", "drop")
+        self.assertIn("did you mean drop", error)
         self.assertIn("--y", self.wrong("report", "results/some", "--x", "drop"))
         shutil.rmtree(self.folder / "results/some/figures")
 
-    def test_every_run_of_a_sweep_is_there(self):
+    def test_the_page_has_every_run_of_a_sweep(self):
         data, text = self.page("results/some")
-        self.assertEqual({run["id"] for run in data["runs"]}, {run["id"] for run in self.told})
+        self.assertEqual({run["id"] for run in data["runs"]}, {run["id"] for run in self.runs})
         self.assertEqual([chart["id"] for chart in data["charts"]],
                          ["s1-against-1", "s1-against-2", "over-time", "s1-passes"])
         self.assertIn("Few runs", text)
         self.assertIn("./bendlab report results/some -o page.html", text)
 
-    def test_a_run_by_its_file_its_folder_and_its_id(self):
-        run = self.told[0]
+    def test_a_run_can_be_named_by_its_file_its_folder_and_its_id(self):
+        run = self.runs[0]
         for name in (run["file"], Path(run["file"]).parent, run["id"], run["id"][:12]):
             data, _ = self.page(name)
             self.assertEqual([entry["id"] for entry in data["runs"]], [run["id"]])
             self.assertIn(f"./bendlab rerun {run['file']}", data["runs"][0]["command"])
 
-    def test_expectations_are_those_of_run(self):
+    def test_expectations_agree_with_those_of_the_run_command(self):
         sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
-        from collected import collect
-        from expectations import check
+        from runs.collected import collect
+        from runs.expectations import check
         sweep = collect([self.folder / "results/some"])[0]
-        for run, told in zip(sweep.runs, self.told):
-            self.assertEqual(run.id, told["id"])
-            self.assertEqual([(each.metric, each.holds) for each in check(sweep.settings, run)],
-                             [(each["metric"], each["holds"]) for each in told["expectations"]])
+        for run, printed in zip(sweep.runs, self.runs):
+            self.assertEqual(run.id, printed["id"])
+            self.assertEqual([(result.metric, result.holds) for result in check(sweep.settings, run)],
+                             [(result["metric"], result["holds"]) for result in printed["expectations"]])
         _, text = self.page("results/some")
         self.assertIn("5 of 7 expectations hold", text)
         self.assertIn("fails in 2 of 2", text)
@@ -144,7 +144,7 @@ class Report(Place):
             plan = self.run_program("plan", *words[2:], "--json")
             self.assertEqual([json.loads(line)["id"] for line in plan.stdout.splitlines()], [entry["id"]])
 
-    def test_without_a_sweep_file_the_runs_say_their_places(self):
+    def test_without_a_sweep_file_the_axes_follow_from_the_runs(self):
         shutil.copytree(self.folder / "results/some", self.folder / "copy",
                         ignore=shutil.ignore_patterns("*.json"))
         data, _ = self.page("copy")
@@ -152,9 +152,9 @@ class Report(Place):
         self.assertEqual([chart["x"]["name"] for chart in data["charts"][:2]],
                          ["/mesh/cells", "/bending/model"])
 
-    def test_missing_and_damaged_runs(self):
+    def test_the_page_lists_missing_and_damaged_runs(self):
         shutil.copytree(self.folder / "results/some", self.folder / "less")
-        places = [Path(run["file"]).parent.name for run in self.told]
+        places = [Path(run["file"]).parent.name for run in self.runs]
         shutil.rmtree(self.folder / "less" / places[0])
         damaged = self.folder / "less" / places[1] / "run.vtkhdf"
         content = bytearray(damaged.read_bytes())
@@ -162,25 +162,25 @@ class Report(Place):
         damaged.write_bytes(content)
         data, text = self.page("less")
         status = {run["id"]: run["status"] for run in data["runs"]}
-        self.assertEqual([status[run["id"]] for run in self.told],
+        self.assertEqual([status[run["id"]] for run in self.runs],
                          ["missing", "unreadable", "complete", "complete"])
         self.assertIn("was changed after it was written", text)
 
-    def test_an_implausible_run_has_its_cause(self):
+    def test_the_page_states_the_cause_of_an_implausible_run(self):
         torn = {"name": "torn", "defaults": "paper", "allow": ["implausible"], "duration": 1,
                 "mesh": {"cells": 32},
                 "bending": {"model": "none"}, "pins": {"vertices": ["upper_right"], "ring": 0},
                 "solver": {"iterations": 10, "substeps": 1}, "material": {"strain": {"form": "normalised"}},
                 "initial": {"perturbation": 1e-6}}
         (self.folder / "torn.json").write_text(json.dumps(torn))
-        told = json.loads(self.run_program("run", "torn.json", "--json").stdout)
-        self.assertEqual(told["status"], "implausible")
+        run = json.loads(self.run_program("run", "torn.json", "--json").stdout)
+        self.assertEqual(run["status"], "implausible")
         data, text = self.page("results/torn")
-        self.assertEqual(data["runs"][0]["worst"]["limit"], float(f"{told['implausible']['limit']:.5g}"))
+        self.assertEqual(data["runs"][0]["worst"]["limit"], float(f"{run['implausible']['limit']:.5g}"))
         self.assertFalse(data["runs"][0]["worst"]["held"])
         self.assertIn("broke the bound on", text)
 
-    def test_several_results(self):
+    def test_a_page_of_several_results(self):
         (self.folder / "other.json").write_text(json.dumps(SWEEP | {"name": "other", "sweep": {},
                                                                     "expect": []}))
         self.run_program("run", "other.json")
@@ -190,31 +190,31 @@ class Report(Place):
                          "results/report.html\n")
         self.assertIn("<th class='t choose'>sweep</th>", text)
 
-    def test_runs_to_be_played_are_named(self):
-        data, _ = self.page("results/some", "--play", self.told[2]["id"][:10])
+    def test_runs_in_the_player_can_be_chosen_by_id(self):
+        data, _ = self.page("results/some", "--play", self.runs[2]["id"][:10])
         chart = next(chart for chart in data["charts"] if chart["id"] == "over-time")
-        self.assertEqual([series["run"] for series in chart["series"]], [self.told[2]["id"]])
-        told = self.wrong("report", "results/some", "--play", "none such")
-        self.assertIn("--play none such: no run", told)
-        self.assertIn(self.told[0]["id"], told)
+        self.assertEqual([series["run"] for series in chart["series"]], [self.runs[2]["id"]])
+        error = self.wrong("report", "results/some", "--play", "none such")
+        self.assertIn("--play none such: no run", error)
+        self.assertIn(self.runs[0]["id"], error)
 
-    def test_what_is_not_there_is_answered_with_what_is(self):
+    def test_an_error_on_a_missing_result_names_existing_results(self):
         self.assertIn("did you mean 'results/some'?", self.wrong("report", "results/sme"))
         self.assertIn("did you mean 'results/some'?", self.wrong("view", "smoe"))
-        self.assertIn("'bendlab list results' shows what is there", self.wrong("report", "far"))
+        self.assertIn("'bendlab list results' lists the runs in this folder", self.wrong("report", "far"))
         (self.folder / "empty").mkdir(exist_ok=True)
         self.assertIn("there are no runs in 'empty'", self.wrong("report", "empty"))
         (self.folder / "text").write_text("no run")
-        data, _ = self.page("text")  # said in the page, as for a folder of runs
+        data, _ = self.page("text")  # the page states it, as for a folder of runs
         self.assertEqual(data["runs"][0]["status"], "unreadable")
         self.assertIn("RESULT is required", self.wrong("report"))
 
-    def test_a_page_that_cannot_be_written(self):
+    def test_the_error_of_a_page_that_cannot_be_written(self):
         (self.folder / "file").write_text("")
-        told = self.wrong("report", "results/some", "-o", "file/page.html", code=5)
-        self.assertRegex(told, "could not be written to file/page.html: .*Name another file with -o")
+        error = self.wrong("report", "results/some", "-o", "file/page.html", code=5)
+        self.assertRegex(error, "could not be written to file/page.html: .*Name another file with -o")
 
-    def test_help_and_completion(self):
+    def test_help_and_completion_of_the_commands(self):
         for command, example in (("report", "-o both.html"), ("view", "--play cells=16")):
             self.assertIn(example, self.run_program(command, "--help").stdout)
             self.assertRegex(self.run_program("completion", "bash").stdout,
@@ -222,7 +222,7 @@ class Report(Place):
 
 
 class View(Place):
-    def test_the_page_is_kept_in_the_cache_and_opened(self):
+    def test_the_page_is_written_to_the_cache_and_opened(self):
         tools = self.folder / "tools"
         tools.mkdir()
         opener = tools / "xdg-open"
@@ -236,12 +236,12 @@ class View(Place):
         self.assertEqual((self.folder / "opened").read_text(), f"{page.as_uri()}\n")
         self.assertEqual(self.run_program("view", "results/some", "--no-open").stdout, done.stdout)
 
-    def test_without_a_browser_it_says_where_the_page_is(self):
+    def test_without_a_browser_the_command_prints_the_path_of_the_page(self):
         done = self.run_program("view", "results/some", "-o", "watch.html")
         self.assertEqual((done.returncode, done.stdout), (0, "watch.html\n"))
         self.assertIn("there is no browser to open it in", done.stderr)
 
-    def test_live_wants_one_run_that_is_there(self):
+    def test_live_needs_exactly_one_run(self):
         self.assertIn("--live shows one run", self.wrong("view", "results/some", "results/some", "--live"))
 
     def ask(self, address, path=None, host=None):
@@ -254,7 +254,7 @@ class View(Place):
         finally:
             connection.close()
 
-    def test_a_run_that_goes_on_is_served_and_grows(self):
+    def test_a_run_in_progress_is_served_and_its_frames_increase(self):
         (self.folder / "long.json").write_text(json.dumps(LONG))
         run = subprocess.Popen([PROGRAM, "run", "long.json"], cwd=self.folder, stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)

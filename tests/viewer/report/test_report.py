@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""The page of a sweep in a real browser: test_report.py PROGRAM [FOLDER]
+"""Tests the page of a sweep in a real browser: test_report.py PROGRAM [FOLDER]
 
-Computes a small sweep whose texts are markup, makes its page by `bendlab report`, and lets report_test.mjs
-use it. What it expects is read here, with h5py, from the run files. Screenshots stay in FOLDER, if one is
-given. Exit code 77: no browser, Node or playwright-core.
+Computes a small sweep whose texts are markup, makes its page with `bendlab report`, and runs report_test.mjs
+on it. The expected values are read here from the run files with h5py. FOLDER, if it is given, keeps the
+screenshots. Exit code 77: no browser, Node or playwright-core.
 """
 import json
 import os
@@ -33,24 +33,24 @@ SWEEP = {
 
 def summaries(folder):
     """[(model, cells, seed, id, mean_strain)] of the run files."""
-    found = []
+    rows = []
     for path in sorted(folder.glob("**/run.vtkhdf")):
         with h5py.File(path, "r") as file:
             facts = Facts(file)
             config = facts.config
-            found.append((config["bending"]["model"], config["mesh"]["cells"], config["initial"]["seed"],
-                          facts.id, facts.summary["mean_strain"]))
-    return found
+            rows.append((config["bending"]["model"], config["mesh"]["cells"], config["initial"]["seed"],
+                         facts.id, facts.summary["mean_strain"]))
+    return rows
 
 
 def expected(folder):
-    """What the page has to show of mean_strain."""
+    """The values of mean_strain that the page has to show."""
     runs = summaries(folder)
     medians = {}
     for model in SWEEP["sweep"]["/bending/model"]:
         for cells in SWEEP["sweep"]["/mesh/cells"]:
-            some = [value for m, c, _, _, value in runs if (m, c) == (model, cells)]
-            medians[f"{model} {cells}"] = [statistics.median(some), min(some), max(some)]
+            values = [value for m, c, _, _, value in runs if (m, c) == (model, cells)]
+            medians[f"{model} {cells}"] = [statistics.median(values), min(values), max(values)]
     return {"medians": medians, "values": {entry[3]: entry[4] for entry in runs}, "count": len(runs),
             "markup": MARKUP,
             "adaptive6": sorted(entry[3] for entry in runs if entry[:2] == ("adaptive", 6))}

@@ -1,4 +1,4 @@
-/** Bars of parts, one below the other: where the time goes. */
+/** Bars made of parts, one bar below the other: where the time goes. */
 import { html, svg } from "../page/dom.js";
 import { openRuns } from "../page/data.js";
 import { number, titled, withUnit } from "../page/numbers.js";

@@ -1,8 +1,8 @@
-/** The time at which the page's player is, for charts over time. */
+/** The current time of the page's player, for charts over time. */
 
 const EVERY_MS = 60;
 
-/** Calls `show` with the player's time whenever it is another one, while the figure is in sight. */
+/** Calls `show` with the player's time whenever it has changed, while the figure is in sight. */
 export function followPlayer(figure, show) {
   let timer = null,
     shown = null;

@@ -1,4 +1,4 @@
-/** What stands around a plot: choices, switches, its data, its command. */
+/** The controls around a plot: choices, switches, its data, its command. */
 import { button, copy, html, save } from "../page/dom.js";
 import { csvOf } from "./csv.js";
 

@@ -1,4 +1,4 @@
-/** A chart's data as CSV: one row per point of every series, hidden ones too. */
+/** A chart's data as CSV: one row per point of every series, hidden series too. */
 import { value } from "../page/numbers.js";
 
 /** @param {Object} chart as in the page's data @returns {string} */

@@ -7,7 +7,7 @@
  */
 export function apart(wanted, height, low, high) {
   const order = wanted.map((_, i) => i).sort((a, b) => wanted[a] - wanted[b]);
-  const blocks = []; // labels that touch move as one: the mean of their wanted places, and how many
+  const blocks = []; // labels that touch move together: the mean of their wanted places, and their number
   order.forEach((label, rank) => {
     let mean = wanted[label] - rank * height,
       count = 1;

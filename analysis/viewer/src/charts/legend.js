@@ -9,8 +9,8 @@ export class Legend {
   /**
    * @param {{label: string, look: Object, hidden?: boolean}[]} entries
    * @param {"line"|"mark"|"bar"} kind of the samples
-   * @param {() => void} changed after a name was switched
-   * @param {(label: string|null) => void} pointed at a name, or at none
+   * @param {() => void} changed called after a series was shown or hidden
+   * @param {(label: string|null) => void} called when the pointer is at a name; null: at no name
    */
   constructor(entries, kind, changed, pointed) {
     this.hidden = new Set(entries.filter((entry) => entry.hidden).map(({ label }) => label));
@@ -37,7 +37,7 @@ export class Legend {
         class: "series-name",
         "aria-pressed": !this.hidden.has(label),
         onclick: press,
-        title: "Show or hide; with Shift: this one alone",
+        title: "Show or hide; with Shift: show only this series",
         onpointerenter: () => this.pointed(label),
         onpointerleave: () => this.pointed(null),
         onfocus: () => this.pointed(label),
@@ -52,7 +52,7 @@ export class Legend {
     if (!this.hidden.delete(label)) this.hidden.add(label);
   }
 
-  // A second time: all.
+  // Shows only this series; a second time all series.
   #only(label) {
     const alone = this.hidden.size === this.buttons.size - 1 && !this.hidden.has(label);
     this.hidden = new Set(alone ? [] : [...this.buttons.keys()].filter((other) => other !== label));
@@ -75,10 +75,10 @@ export class Legend {
   }
 
   /**
-   * Puts the names beside the ends of their curves; those without an end below the others.
+   * Puts the names beside the ends of their curves; names of curves without an end stand below.
    * @param {Map<string, number>} ends label → y in px
    * @param {number} left @param {number} top @param {number} bottom
-   * @returns {Map<string, number>} label → y of its name, of those with an end
+   * @returns {Map<string, number>} label → y of its name, for curves with an end
    */
   beside(ends, left, top, bottom) {
     this.element.classList.add("beside");

@@ -2,6 +2,7 @@
 import { line } from "d3-shape";
 import { button, html, svg } from "../page/dom.js";
 import { titled } from "../page/numbers.js";
+import { isChosen, whenChosen } from "../page/selection.js";
 import { bottomAxis, leftAxis } from "./axes.js";
 import { followPlayer } from "./clock.js";
 import { choice, takeAway, toggle } from "./controls.js";
@@ -100,10 +101,11 @@ export class LineChart {
     );
     this.figure.append(tools, this.body, this.meaning);
     this.pointing = new Pointing(this);
+    whenChosen(() => this.#markChosen());
     if (chart.x.name === "time") followPlayer(this.figure, (time) => this.#markTime(time));
   }
 
-  // An axis is logarithmic from the start if its numbers say so.
+  // Starts with a logarithmic axis if the chart states one, or else if the numbers differ widely.
   #startLog() {
     const all = shownPoints(this.chart, { ...this.state, hidden: new Set() })
       .flatMap(({ points }) => points.map((p) => p.y))
@@ -112,8 +114,9 @@ export class LineChart {
     const able = all.length > 0 && all[0] >= 0 && all.at(-1) > 0;
     const share = (part) => all[Math.round(part * (all.length - 1))];
     this.log.disabled = !able;
-    this.state.log =
-      able && share(all.length < 20 ? 0 : 0.05) > 0 && share(1) / share(all.length < 20 ? 0 : 0.05) > 30;
+    const least = share(all.length < 20 ? 0 : 0.05);
+    const wanted = this.chart.y_scale ? this.chart.y_scale === "log" : share(1) / least > 30;
+    this.state.log = able && least > 0 && wanted;
     this.log.setAttribute("aria-pressed", this.state.log);
   }
 
@@ -145,20 +148,21 @@ export class LineChart {
             y: (box.top + box.bottom) / 2,
             "text-anchor": "middle",
           },
-          "No run has this",
+          "No run has this metric",
         ),
       );
     }
     this.plot.replaceChildren(this.picture);
     this.box = box;
     this.pointing.renew();
+    this.#markChosen();
     if (beside) this.#namesBeside(box);
     else this.legend.flow();
   }
 
   #height(width) {
     if (!this.bands) return Math.max(300, Math.min(430, width * 0.5));
-    const rows = this.chart.x.categories.length * Math.max(1, this.#dodged() * 0.55);
+    const rows = this.#categories().length * Math.max(1, this.#dodged() * 0.55);
     return Math.max(150, 74 + rows * 27);
   }
 
@@ -172,12 +176,21 @@ export class LineChart {
     );
   }
 
+  // The indices of the shown categories. With held axes these are the categories that have points.
+  #categories() {
+    const all = this.chart.x.categories.map((_, i) => i);
+    if (!this.chart.held?.length) return all;
+    const used = new Set(this.shown.flatMap(({ points }) => points.map((p) => p.x)));
+    return all.filter((i) => used.has(i));
+  }
+
   #categoryWidth(width) {
-    const longest = Math.max(...this.chart.x.categories.map((text) => String(text).length));
+    const texts = this.#categories().map((i) => String(this.chart.x.categories[i]));
+    const longest = Math.max(...texts.map((text) => text.length));
     return Math.min(longest * 7.8 + 16, width * 0.42);
   }
 
-  // How many series stand beside one another at a category.
+  // The number of series that stand side by side at a category.
   #dodged() {
     return this.chart.dodge === false ? 1 : Math.max(1, this.shown.length);
   }
@@ -203,7 +216,7 @@ export class LineChart {
     if (this.bands) {
       this.place = axisScale(
         "band",
-        chart.x.categories.map((_, i) => i),
+        this.#categories(),
         [box.top, box.bottom],
       );
       this.place.text = (i) => shortened(chart.x.categories[i], box.left / 6.9);
@@ -236,7 +249,7 @@ export class LineChart {
     return all.filter((limit) => !this.state.log || limit.value > 0);
   }
 
-  // A limit far from the numbers would press them flat: it is told at the edge.
+  // A limit far from the numbers would flatten the curves: it is shown at the edge instead.
   #isNear(limit, values) {
     const numbers = values
       .filter(Number.isFinite)
@@ -271,6 +284,7 @@ export class LineChart {
   }
 
   #series(box) {
+    const { chart } = this;
     const clip = `${this.id}-clip`;
     const group = svg(
       "g",
@@ -289,15 +303,16 @@ export class LineChart {
     this.shown.forEach((entry, i) => {
       for (const p of entry.points) this.#put(p, i, box);
       const drawn = paint(svg("g", { class: "series", "clip-path": `url(#${clip})` }), entry.series.look);
-      if (!this.bands) drawn.append(this.#curve(entry));
-      drawn.append(...this.#ranges(entry), ...this.#marks(entry));
+      const { line } = entry.series; // a curve of theory has no marks
+      if (!this.bands && (line || chart.joined !== false)) drawn.append(this.#curve(entry));
+      if (!line) drawn.append(...this.#ranges(entry), ...this.#marks(entry));
       entry.drawn = drawn;
       group.append(drawn);
     });
     return group;
   }
 
-  // The pixels of a point; an infinite value stands at the edge.
+  // The place of a point in pixels; an infinite value stands at the edge.
   #put(p, i, box) {
     const far = this.bands ? box.right : box.top;
     const least = this.value.scale.domain()[0];
@@ -350,15 +365,25 @@ export class LineChart {
       );
   }
 
-  // Of many points some have a mark, so that a curve can be told by its shape.
+  // If there are many points, only a part of them has a mark: enough to recognise the curve by its marks.
   #marks({ series, points }) {
     const every = points.length > 45 ? Math.ceil(points.length / 9) : 1;
     return points
       .filter((_, i) => i % every === 0 || (i === points.length - 1 && every === 1))
       .map((p) => {
-        if (Number.isFinite(p.y)) return mark(series.look, ...p.at);
-        return svg("text", { class: "lost", x: p.at[0], y: p.at[1] + 9, "text-anchor": "middle" }, "↑");
+        p.drawn = Number.isFinite(p.y)
+          ? mark(series.look, ...p.at)
+          : svg("text", { class: "lost", x: p.at[0], y: p.at[1] + 9, "text-anchor": "middle" }, "↑");
+        return p.drawn;
       });
+  }
+
+  // Points and curves of runs that are not chosen are pale.
+  #markChosen() {
+    for (const { drawn, points } of this.shown ?? []) {
+      for (const p of points) p.drawn?.classList.toggle("off", !isChosen(p.runs));
+      drawn?.classList.toggle("off", points.every((p) => !isChosen(p.runs)));
+    }
   }
 
   #namesBeside(box) {

@@ -1,4 +1,4 @@
-/** Colours and marks of series. They are Python's (analysis/style.py): here they only become SVG. */
+/** Colours and marks of series. Python chooses them (analysis/tables/looks.py); here they only become SVG. */
 import {
   symbol,
   symbolCircle,
@@ -48,7 +48,7 @@ export function mark(look, x, y, area) {
   });
 }
 
-/** For legends: the mark, with a bit of its line, or for bars a square. @param {"line"|"mark"|"bar"} kind */
+/** A legend's sample: a mark with a piece of line, for bars a square. @param {"line"|"mark"|"bar"} kind */
 export function sample(look, kind = "line") {
   const width = kind === "line" ? 26 : 14;
   const picture = svg("svg", {

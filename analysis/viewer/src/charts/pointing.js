@@ -4,10 +4,10 @@ import { openRuns } from "../page/data.js";
 import { minus, number, withUnit } from "../page/numbers.js";
 import { paint, sample } from "./look.js";
 
-const REACH = 90; // px, from which a point is found
+const REACH = 90; // px, largest distance at which the pointer finds a point
 
 export class Pointing {
-  /** @param {LineChart} owner with plot, picture, box, shown, place and y of what is drawn now */
+  /** @param {LineChart} owner has plot, picture, box, shown, place and y of the current drawing */
   constructor(owner) {
     this.owner = owner;
     this.tip = html("div", { class: "tip", role: "status", hidden: true });
@@ -131,7 +131,7 @@ export class Pointing {
     event.preventDefault();
   }
 
-  // Along the series, or to the next one at this place.
+  // Moves along the series, or to the next series at this place.
   #step(key) {
     const forward = this.owner.bands ? ["ArrowDown", "ArrowUp"] : ["ArrowRight", "ArrowLeft"];
     const seen = this.owner.shown.map(({ points }) => points).filter((points) => points.length);
@@ -152,7 +152,7 @@ export class Pointing {
     this.#point(others[Math.min(Math.max(next, 0), others.length - 1)]);
   }
 
-  // Shows what a point says.
+  // Shows the values of a point.
   #point(p) {
     this.pointed = p;
     this.cursor?.replaceChildren();
@@ -186,7 +186,7 @@ export class Pointing {
   }
 }
 
-// A place on an axis as it was set, without zeros that say nothing.
+// A place on an axis as in the config, without trailing zeros.
 function exact(x, unit) {
   const text =
     Math.abs(x) >= 1e5 || (x !== 0 && Math.abs(x) < 1e-3)

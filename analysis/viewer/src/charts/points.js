@@ -1,4 +1,4 @@
-/** The points of a chart that are to be seen: what is hidden, held elsewhere or not measured is left out. */
+/** The visible points of a chart, without hidden series, other values of held axes and missing numbers. */
 import { value } from "../page/numbers.js";
 
 /**

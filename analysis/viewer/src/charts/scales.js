@@ -1,4 +1,4 @@
-/** From a chart's description to d3's scales. */
+/** Makes d3's scales from a chart's description. */
 import { scaleLinear, scaleLog, scalePoint } from "d3-scale";
 import { minus, raised } from "../page/numbers.js";
 
@@ -25,10 +25,10 @@ export function axisScale(kind, domain, range, values, gap = 64) {
   return { kind, scale, ticks: logTicks(domain, count), text: logText };
 }
 
-/** px; in less nothing can be read, as while a page is laid out. */
+/** px; a narrower chart is not drawn, as while a page is laid out. */
 export const LEAST_WIDTH = 160;
 
-const LEAST = 1e-6; // of the largest number: below it is rounding, which a logarithmic axis would show large
+const LEAST = 1e-6; // share of the largest number; smaller numbers are rounding and would stretch a log axis
 
 /** The ends of numbers with some room; `log`: of the positive ones, with room as a factor; `zero`: from there
  * if they come near it. */
@@ -43,7 +43,7 @@ export function extent(numbers, log, room = 0.06, zero = true) {
     return [low / factor, high * factor];
   }
   const space = (high - low) * room || Math.abs(high) * 0.1 || 0.5;
-  if (zero && low >= 0 && low - space < 0.25 * high) return [0, high + space]; // near zero: from zero
+  if (zero && low >= 0 && low - space < 0.25 * high) return [0, high + space]; // near zero the axis starts at zero
   return [low - space, high + space];
 }
 
@@ -64,7 +64,7 @@ function logTicks([low, high], count) {
   return scaleLinear().domain([low, high]).ticks(count);
 }
 
-// Of values too close to one another, the first.
+// Keeps the first of values that are too close to one another.
 function spaced(values, scale, gap) {
   const kept = [];
   for (const x of [...values].sort((a, b) => a - b)) {

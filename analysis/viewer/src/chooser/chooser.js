@@ -1,4 +1,5 @@
-/** Which model for my mesh: measured runs, chosen by what is asked for. start_page.py has the data. */
+/** Which model for my mesh: finds the measured run that fits the user's wishes. analysis/pages/start.py makes
+ * the data. */
 import { choice } from "../charts/controls.js";
 import { button, copy, html } from "../page/dom.js";
 import { pageData } from "../page/data.js";
@@ -6,17 +7,20 @@ import { number } from "../page/numbers.js";
 import { configText } from "../tables/settings.js";
 import { found } from "./found.js";
 
-const MATTERS = { rest: "its rest shape", motion: "its motion", stability: "that it never fails", cost: "its cost" };
+const MATTERS = { shape: "its shape", stability: "that it never fails", cost: "its cost" };
 const GOALS = { error: "at most this error (%)", budget: "at most this time (ms per frame)" };
-const OTHERS = 5; // other models that are listed
+const OTHERS = 5; // number of other models that are listed
 
 export function startChooser() {
   const place = document.getElementById("chooser");
   const data = pageData().chooser;
   if (!place || !data?.runs.length) return;
-  const asked = { scene: 0, family: "equilateral", cells: 24, matters: "rest", goal: "error", most: 1 };
+  const asked = { scene: 0, family: "equilateral", cells: 24, matters: "shape", goal: "error", most: 1 };
   const answer = html("div", { class: "chosen", role: "status" });
-  const show = () => answer.replaceChildren(...told(found(data, asked), asked, data));
+  const show = (problem) =>
+    answer.replaceChildren(
+      ...(problem ? [html("p", { class: "note open" }, problem)] : answered(found(data, asked), asked, data)),
+    );
   place.append(form(asked, data, show), answer);
   show();
 }
@@ -36,10 +40,10 @@ function form(asked, data, show) {
       "aria-label": label,
       oninput: (event) => {
         const x = Number(event.target.value);
-        event.target.setAttribute("aria-invalid", !(x >= least && Number.isFinite(x)));
-        if (!(x >= least && Number.isFinite(x))) return;
+        const allowed = event.target.value !== "" && x >= least && Number.isFinite(x);
+        event.target.setAttribute("aria-invalid", !allowed);
         asked[name] = x;
-        show();
+        show(allowed ? "" : `${label}: give a number of at least ${least}.`);
       },
     });
   const families = Object.keys(data.families);
@@ -48,14 +52,14 @@ function form(asked, data, show) {
     { class: "asked", onsubmit: (event) => event.preventDefault() },
     of("My cloth", "scene", data.scenes, [...data.scenes.keys()]),
     of("Its mesh is", "family", Object.values(data.families), families),
-    html("label", { class: "choice" }, html("span", {}, "Cells along its width"), numeric("cells", 1, "Cells")),
+    html("label", { class: "choice" }, html("span", {}, "Cells along its width"), numeric("cells", 1, "Cells along the width")),
     of("What matters is", "matters", Object.values(MATTERS), Object.keys(MATTERS)),
     of("I want", "goal", Object.values(GOALS), Object.keys(GOALS)),
-    html("label", { class: "choice" }, html("span", {}, "namely"), numeric("most", 1e-6, "At most")),
+    html("label", { class: "choice" }, html("span", {}, "namely"), numeric("most", 1e-6, "Error or time")),
   );
 }
 
-function told(result, asked, data) {
+function answered(result, asked, data) {
   const { best, fits, others, notes } = result;
   if (!best) return [html("p", {}, ...notes)];
   const run = pageData().byId.get(best.id);
@@ -87,15 +91,16 @@ const nothingFits = (asked) =>
 function sentence(run) {
   return [
     html("b", {}, run.model),
-    ` on ${run.cells} cells, ${run.substeps} × ${run.iterations} substeps × iterations, ${run.precision}: `,
+    ` by ${run.method} on ${run.cells} cells, ${run.substeps} × ${run.iterations} substeps × iterations, ` +
+      `${run.precision}: `,
     html("b", {}, `${number(run.error)} %`),
-    run.motion ? " off its converged motion in " : " off the stated cloth in ",
+    ` off ${run.against} in `,
     html("b", {}, `${number(run.ms)} ms`),
     " per frame.",
   ];
 }
 
-// What else was measured of this model, each with a link to it.
+// Further measurements of this model, each with a link.
 function facts(run, asked, data) {
   const [red, count] = data.stability[""]?.[run.model] ?? [0, 0];
   const own = data.stability[asked.family]?.[run.model];
@@ -111,7 +116,7 @@ function facts(run, asked, data) {
     ratio
       ? item(
           `Its stated stiffness changes by ${number(100 * (ratio - 1), 2)} % with the resolution on such meshes:`,
-          "stiffness/index.html#calibrated-stiffness-against-resolution",
+          "stiffness/index.html#calibrated",
           "stiffness",
         )
       : html("li", { class: "grey" }, "How its stiffness changes with the resolution was not measured on such meshes."),
@@ -119,11 +124,11 @@ function facts(run, asked, data) {
 }
 
 function table(runs) {
-  const head = ["model", "cells", "substeps × iterations", "error (%)", "ms per frame", "red hard cases"];
+  const head = ["model", "method", "cells", "substeps × iterations", "error (%)", "ms per frame", "red hard cases"];
   return html(
     "div",
     {},
-    html("h3", {}, "The other models, each with its best run"),
+    html("h3", {}, "The other models and methods, each with its best run"),
     html(
       "div",
       { class: "scroll" },
@@ -141,6 +146,7 @@ function row(run) {
   const link = html("a", { href: `accuracy/index.html#run-${encodeURIComponent(run.id)}` }, run.model);
   const [red, count] = pageData().chooser.stability[""]?.[run.model] ?? [0, 0];
   const cells = [
+    run.method,
     run.cells,
     `${run.substeps} × ${run.iterations}`,
     number(run.error),

@@ -1,34 +1,39 @@
-/** The measured run that answers what is asked for, and where nothing was measured. */
+/** Finds the measured run that fits the user's wishes, and says what was not measured. */
 
 /**
  * @param {Object} data the page's chooser data
  * @param {{scene: number, family: string, cells: number, matters: string, goal: string, most: number}} asked
+ *   scene: index among the data's scenes
  * @returns {{best: ?Object, fits: boolean, others: Object[], notes: string[]}} others: the best run of each
  *   other model
  */
 export function found(data, asked) {
-  const motion = asked.matters === "motion";
   const notes = [];
-  let runs = data.runs.filter((run) => run.motion === motion && (motion || run.scene === asked.scene));
-  if (motion && asked.scene !== 0)
-    notes.push("Motion was measured on the cloth that hangs from two corners alone.");
-  if (!runs.length) return { best: null, fits: false, others: [], notes: ["Nothing was measured for this."] };
+  let runs = data.runs.filter((run) => run.scene === asked.scene);
+  if (!runs.length)
+    return { best: null, fits: false, others: [], notes: ["No run was measured for this cloth."] };
   const own = runs.filter((run) => run.family === asked.family);
   if (own.length) runs = own;
   else
     notes.push(
-      `Accuracy was not measured on ${data.families[asked.family]} in this scene. The answer is of ` +
+      `Accuracy was not measured on ${data.families[asked.family]} in this scene. The answer is a run on ` +
         `${[...new Set(runs.map((run) => data.families[run.family] ?? run.family))].join(", ")}; ` +
-        "./bendlab advise CONFIG measures your own.",
+        "./bendlab advise CONFIG measures your own scene.",
     );
   const cells = nearest(
     runs.map((run) => run.cells),
     asked.cells,
   );
   if (cells !== asked.cells) notes.push(otherSize(cells, asked.cells));
-  // What costs least may be a coarser mesh.
+  // The cheapest run may be on a coarser mesh.
   if (cells !== asked.cells || asked.matters !== "cost") runs = runs.filter((run) => run.cells === cells);
-  const best = [...groups(runs)].map((some) => bestOf(some, asked));
+  const unknown = Math.max(...runs.map((run) => run.unknown));
+  if (asked.goal === "error" && asked.most < unknown)
+    notes.push(
+      `Errors below ${unknown.toPrecision(2)} % are not known here: the reference is that far from a coarser ` +
+        "reference.",
+    );
+  const best = [...groups(runs)].map((some) => bestOf(some, asked, unknown));
   best.sort((a, b) => compare(a, b, asked, data));
   const [first, ...others] = best;
   return { best: first.run, fits: first.fits, others: others.map(({ run }) => run), notes };
@@ -36,10 +41,11 @@ export function found(data, asked) {
 
 function otherSize(cells, wanted) {
   const times = (wanted / cells) ** 2;
-  const factor = times >= 1 ? `about ${times.toPrecision(2)} times as` : `about ${times.toPrecision(2)} of that`;
+  const factor = times >= 1 ? `about ${times.toPrecision(2)} times as` : `about ${times.toPrecision(2)} of this run's`;
   return (
-    `Nothing was measured on ${wanted} cells, so this is of ${cells}. A step takes ${factor}` +
-    `${times >= 1 ? " long" : " time"} there if time grows with the vertices; the error there is not known.`
+    `Nothing was measured on ${wanted} cells, so this run has ${cells} cells. If time grows with the vertices, ` +
+    `a step on ${wanted} cells takes ${factor}${times >= 1 ? " long" : " time"}. The error there is not known` +
+    `${times > 1 ? ": finer meshes need more substeps" : ""}; ./bendlab advise CONFIG measures your own.`
   );
 }
 
@@ -48,21 +54,23 @@ function nearest(values, wanted) {
   return values.reduce((best, x) => (distance(x) < distance(best) ? x : best));
 }
 
-// The runs of each model; a model with the paper's stiffness, which states no cloth, is another one.
+// The runs of each model and method. With the paper's stiffness, which defines no cloth, a model counts as
+// another model.
 function groups(runs) {
   const byModel = new Map();
   for (const run of runs) {
-    const key = `${run.model}${run.paper ? ", paper" : ""}`;
+    const key = `${run.model}, ${run.method}${run.paper ? ", paper" : ""}`;
     byModel.set(key, [...(byModel.get(key) ?? []), run]);
   }
   return byModel.values();
 }
 
-// Of one model: the cheapest run within the error, or the nearest one within the time; else what comes nearest.
-function bestOf(runs, { goal, most }) {
+// Of one model: the cheapest run within the error, or the most accurate run within the time; else the run that
+// comes nearest to the bound. An error below the uncertainty of the reference counts as this uncertainty.
+function bestOf(runs, { goal, most }, unknown) {
   const [bound, wanted] = goal === "error" ? ["error", "ms"] : ["ms", "error"];
   const least = (some, name) => some.reduce((best, run) => (run[name] < best[name] ? run : best));
-  const within = runs.filter((run) => run[bound] <= most);
+  const within = runs.filter((run) => Math.max(run[bound], bound === "error" ? unknown : 0) <= most);
   return within.length
     ? { run: least(within, wanted), fits: true }
     : { run: least(runs, bound), fits: false };
@@ -78,7 +86,7 @@ function compare(a, b, { goal, matters }, data) {
   return a.run[wanted] - b.run[wanted];
 }
 
-// Of the hard cases, how many fail; a model that was not tried comes last.
+// The share of the hard cases that fail; a model without hard cases comes last.
 function share(run, data) {
   const [red, count] = data.stability[""]?.[run.model] ?? [1, 1];
   return red / count;

@@ -5,11 +5,11 @@ import { forget } from "../player/runs.js";
 
 const calls = {
   complete: "The run is complete.",
-  implausible: "The run is over, and implausible.",
+  implausible: "The run ended as implausible.",
   diverged: "The run diverged.",
 };
 
-/** Starts to ask, if the page's data says that its run goes on. */
+/** Starts to ask for frames, if the page's data say that its run is going on. */
 export function startLive() {
   const { live } = pageData();
   const line = document.getElementById("live");
@@ -33,7 +33,7 @@ export function startLive() {
       missed = 0;
     } catch {
       if (++missed >= 3)
-        line.textContent = "Nobody answers: bendlab view --live was ended. The page keeps what it has.";
+        line.textContent = "No answer: bendlab view --live has ended. The page keeps its frames.";
     }
     setTimeout(ask, 1000 * live.every * Math.min(2 ** missed, 16));
   }
@@ -55,7 +55,7 @@ async function show(news, line) {
   if (news.chart && figure?.chart) figure.chart.replace(news.chart);
 }
 
-// The same cameras; who watched the last frame sees the new last one.
+// Keeps the cameras; a player that showed the last frame then shows the new last frame.
 async function renew(player) {
   if (!player || player.disposed || !player.views.length) return;
   const atEnd = player.time >= player.last - 1e-9 || player.playing;

@@ -1,8 +1,8 @@
-/** The page's data, and what its parts tell one another. */
+/** The page's data, and the events between its parts. */
 
 let read = null;
 
-/** What analysis/html_parts.py put into #bendlab-data; see analysis/viewer/README.md. */
+/** The data that analysis/web/html_parts.py put into #bendlab-data; see analysis/viewer/README.md. */
 export function pageData() {
   if (!read) {
     const element = document.getElementById("bendlab-data");
@@ -12,7 +12,7 @@ export function pageData() {
   return read;
 }
 
-/** Opens runs: the first one is shown, the others can be gone to. */
+/** Opens runs: shows the first run; buttons lead to the other runs. */
 export function openRuns(ids, from = document.activeElement) {
   document.dispatchEvent(new CustomEvent("bendlab:open", { detail: { ids, from } }));
 }

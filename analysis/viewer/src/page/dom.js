@@ -1,11 +1,11 @@
-/** Makes elements. Texts are set as text, never as markup: names of a config are shown, not read. */
+/** Makes elements. Texts are set as text, never as markup: a name from a config cannot add markup. */
 
 const SVG = "http://www.w3.org/2000/svg";
 
 /**
  * An HTML element.
  * @param {string} tag
- * @param {Object<string, any>} [attributes] `on…` functions are listeners; what is false or missing is left out
+ * @param {Object<string, any>} [attributes] `on…` functions are listeners; missing and false ones are left out
  * @param {...(Node|string|null|undefined|false)} children
  */
 export function html(tag, attributes = {}, ...children) {
@@ -27,7 +27,7 @@ function filled(element, attributes, children) {
   return element;
 }
 
-/** A button that does something; `pressed`: true or false of one that switches. */
+/** A button that calls `press`. */
 export function button(text, press, attributes = {}) {
   return html("button", { type: "button", class: "button", onclick: press, ...attributes }, text);
 }
@@ -58,7 +58,7 @@ async function clipboard(text) {
   }
 }
 
-/** Saves text as a file of the user's. */
+/** Offers text to the user as a file. */
 export function save(name, text, type) {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = html("a", { href: address, download: name });

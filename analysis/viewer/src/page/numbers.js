@@ -1,13 +1,13 @@
-/** Numbers as text, as analysis/style.py writes them: 3 significant digits, – for none. */
+/** Numbers as text, as analysis/tables/numbers.py writes them: 3 significant digits, – for no number. */
 
-/** @param {number|string|null|undefined} value "∞" stands for an infinite one, which JSON does not have */
+/** @param {number|string|null|undefined} value "∞" stands for infinity, which JSON does not have */
 export function value(value) {
   if (value === "∞") return Infinity;
   if (value === "-∞") return -Infinity;
   return typeof value === "number" ? value : NaN;
 }
 
-/** @param {number} x @param {number} [digits] significant ones */
+/** @param {number} x @param {number} [digits] significant digits */
 export function number(x, digits = 3) {
   if (Number.isNaN(x)) return "–";
   if (!Number.isFinite(x)) return x > 0 ? "∞" : "−∞";
@@ -21,7 +21,7 @@ export function number(x, digits = 3) {
   return minus(x.toFixed(places));
 }
 
-/** With its unit; the unit of a plain ratio, "1", is not written. */
+/** A number with its unit; the unit of a plain ratio, "1", is not written. */
 export function withUnit(x, unit, digits) {
   return unit && unit !== "1" ? `${number(x, digits)}\u202f${unit}` : number(x, digits);
 }

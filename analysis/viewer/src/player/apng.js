@@ -38,7 +38,7 @@ async function deflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Rows of RGB, each less the row above (filter 2). */
+/** Rows of RGB, each minus the row above (filter 2). */
 function rowsOf({ data, width, height }) {
   const bytes = new Uint8Array(height * (1 + 3 * width));
   for (let y = 0, to = 0; y < height; ++y) {

@@ -52,12 +52,12 @@ export class ColourBar {
   }
 }
 
-/** A picture may be drawn while somebody types: what is typed stays. */
+/** Sets a text field unless the user is typing in it: pictures are drawn meanwhile. */
 function put(input, x) {
   if (document.activeElement !== input) input.value = plain(x);
 }
 
-/** A number that can be typed again. */
+/** A number as text that can be typed again. */
 function plain(x) {
   return String(Number(x.toPrecision(3)));
 }

@@ -1,7 +1,7 @@
 /**
  * The moving surface of one run, three times: as triangles that share no corner, each with its own colour and
- * lines (fine); as triangles that share corners but their last, which gives the colour (quick); and as
- * triangles that share all corners (for the shadow). Without a graphics card corners cost most.
+ * lines (fine); as triangles that share all corners except the last, which gives the colour (quick); and as
+ * triangles that share all corners (for the shadow). Without a graphics card corners are the largest cost.
  */
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh as Drawn, Sphere, Vector3 } from "three";
 
@@ -24,7 +24,7 @@ export class Cloth {
     this.turn = {};
   }
 
-  /** What is drawn, fine or quick. The other is hidden. @param {import("three").Scene} scene */
+  /** Shows the fine or the quick surface and hides the other surface. @param {import("three").Scene} scene */
   use(quick, scene) {
     const kind = quick ? "quick" : "fine", part = this.corners[kind];
     if (!part.drawn) {
@@ -44,14 +44,14 @@ export class Cloth {
     }
   }
 
-  /** After `positions` changed. */
+  /** Call it after `positions` have changed. */
   moved() {
     vertexNormals(this.positions, this.mesh.triangles, this.normals);
     for (const attribute of Object.values(this.caster.geometry.attributes)) attribute.needsUpdate = true;
     this.turn = {};
   }
 
-  /** A surface with normals that others may draw. */
+  /** A surface with normals that other views may draw. */
   get shared() {
     const { geometry } = this.caster;
     if (!geometry.getAttribute("normal"))
@@ -101,7 +101,7 @@ function emptyGeometry({ vertices, index }) {
   return geometry;
 }
 
-/** Corner t is the last of triangle t, the one that gives it its flat colour; others are shared. */
+/** Corner t is the last of triangle t and gives it its flat colour; the other corners are shared. */
 function sharedCorners({ triangles, triangleCount, vertexCount }) {
   const last = new Uint32Array(triangleCount), corner = new Int32Array(vertexCount).fill(-1);
   for (let t = 0; t < triangleCount; ++t) {

@@ -1,4 +1,4 @@
-/** What the cloth is coloured by: a quantity, or how it differs from another run. */
+/** The quantity that colours the cloth, or its difference from another run. */
 import { differences, distances, FIELDS } from "./fields.js";
 import { RestMap } from "./mesh.js";
 
@@ -12,7 +12,7 @@ export class Compare {
     this.ranges = new Map();
   }
 
-  /** Where a view's rest shape lies on another's; null if they are not the same cloth. */
+  /** Where a view's rest shape lies on that of another view; null if they are not the same cloth. */
   map(view, other) {
     const key = `${view.run.id} ${other.run.id}`;
     if (!this.maps.has(key)) {
@@ -22,7 +22,7 @@ export class Compare {
     return this.maps.get(key);
   }
 
-  /** The quantities that can be chosen, with their names as they are then. */
+  /** The quantities that can be chosen, with the names that they then have. */
   choices(reference) {
     return this.quantities.filter(({ key }) => reference || key !== "distance").map((quantity) =>
       reference ? compared(quantity) : quantity);
@@ -48,7 +48,7 @@ export class Compare {
              smooth: false };
   }
 
-  /** The range of the colours: as the user set it, the quantity's own, or that of the data. */
+  /** The range of the colours: the user's, else that of the quantity, else that of the data. */
   range(key, views, reference) {
     const name = `${key} ${reference?.run.id ?? ""}`;
     if (!this.ranges.has(name)) {
@@ -87,7 +87,7 @@ function compared(quantity) {
   if (["none", "distance"].includes(quantity.key)) return quantity;
   return { ...quantity, name: `Difference in ${quantity.name.toLowerCase()}`, symbol: `Δ ${quantity.symbol}`,
            map: "difference", scale: "linear", range: null, signed: true,
-           meaning: `This run less the other. ${quantity.meaning}` };
+           meaning: `This run minus the other run. ${quantity.meaning}` };
 }
 
 /** To 1, 2 or 5 times a power of ten. */

@@ -1,4 +1,4 @@
-/** Everything around the picture: what to choose, time, buttons, messages. */
+/** Everything around the picture: choices, time, buttons, messages. */
 import { pageData } from "../page/data.js";
 import { html } from "../page/dom.js";
 import { ColourBar } from "./bar.js";
@@ -96,7 +96,7 @@ export class Controls {
     cell.querySelector(".player-note").textContent = text;
   }
 
-  /** Which of the player's runs are shown, where there are more than one. */
+  /** The list of the player's runs in which the user chooses the shown runs; hidden for a single run. */
   showRuns(shown) {
     const { player } = this;
     this.runs.hidden = player.ids.length < 2;
@@ -121,7 +121,7 @@ export class Controls {
     this.player.show(wanted).then(() => this.runs.querySelector(`input[value="${CSS.escape(value)}"]`)?.focus());
   }
 
-  /** The runs are there. */
+  /** Call it when the runs have been read. */
   ready() {
     const { player } = this;
     for (const part of [this.top, this.times, this.tools]) part.hidden = false;
@@ -135,7 +135,7 @@ export class Controls {
     if (player.referenceId) player.setReference(player.referenceId);
   }
 
-  /** Nothing can be played. */
+  /** Disables the controls, because nothing can be played. */
   disable(text = "") {
     for (const part of [this.top, this.times, this.tools]) part.hidden = true;
     this.stage.style.height = "auto";
@@ -143,7 +143,7 @@ export class Controls {
     this.say(text);
   }
 
-  /** After a setting changed. */
+  /** Updates the controls after a setting has changed. */
   update() {
     const { player } = this;
     const press = (button, pressed) => button.setAttribute("aria-pressed", String(Boolean(pressed)));
@@ -162,7 +162,7 @@ export class Controls {
     this.reference.value = player.referenceId ?? "";
   }
 
-  /** The time, and what the colours mean. */
+  /** Updates the time and the meaning of the colours. */
   tell(quantity, range) {
     const { player } = this;
     const digits = player.last - player.first < 0.2 ? 4 : 2;

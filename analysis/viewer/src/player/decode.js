@@ -1,5 +1,5 @@
 /**
- * Reads what analysis/frames.py packed. Nothing else decodes it; analysis/frame_coding.py tells the scheme.
+ * Decodes the frames that analysis/draw/frames.py packed, by the scheme of analysis/draw/frame_coding.py.
  * Lengths in m, times in s.
  */
 
@@ -23,13 +23,13 @@ export async function inflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** One run: its mesh, its pins and obstacles, and its frames, which come one after the other. */
+/** One run: its mesh, its pins and obstacles, and its frames, which are decoded one after the other. */
 export class Frames {
   /** @param {object} head the run's `frames` of the page's data @param {string} text its bytes as base64 */
   constructor(head, text) {
     this.head = head;
     this.text = text;
-    // All but the frames after the first, which come last: enough for a first picture
+    // Everything except the frames after the first, which come last: enough for a first picture
     this.bytes = bytesOf(text.slice(0, 4 * Math.ceil(head.sections.frames.offset / 3)));
     this.vertices = head.vertices;
     this.count = head.count;
@@ -108,7 +108,7 @@ export class Frames {
     return out;
   }
 
-  /** Number of the last decoded frame that is not later than a time; the first if all are later. */
+  /** Index of the last decoded frame that is not later than a time; the first frame if all are later. */
   frameAt(time) {
     let low = 0, high = this.decoded - 1;
     while (low < high) {
@@ -130,7 +130,7 @@ function joined(planes, rows, columns) {
   return numbers;
 }
 
-/** Undoes differences to the row before. */
+/** Sums the differences to the row before. */
 function summed(numbers, rows, columns) {
   for (let c = 0; c < columns; ++c)
     for (let r = 0, at = c, sum = 0; r < rows; ++r, at += columns) {
@@ -141,7 +141,7 @@ function summed(numbers, rows, columns) {
   return numbers;
 }
 
-/** A function that decodes the next frame into `lattice`, in which the first is. */
+/** A function that decodes the next frame into `lattice`, which has the first frame. */
 function frameDecoder(planes, { weights, counts }, parentSteps, groups, lattice, vertices) {
   const size = 3 * vertices;
   const total = lattice.length - size;

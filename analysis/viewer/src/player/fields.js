@@ -37,7 +37,7 @@ export function principalDirections(mesh, positions, t) {
     [0, 1, 2].map((i) => f[i] * Math.cos(turn) + h[i] * Math.sin(turn)));
 }
 
-/** How far a principal stretch can be off because positions are rounded to multiples of `step`. */
+/** Largest error of a principal stretch because positions are rounded to multiples of `step`. */
 export function stretchUncertainty(mesh, t, step) {
   // Two edge vectors, each off by at most √3 step (half a step at both ends, on three axes): |δE| ≤ √6 step.
   // A singular value of E Q moves by at most |δE| |Q|.
@@ -136,7 +136,7 @@ export function distances(positions, map, others) {
   return values;
 }
 
-/** (T) values less those of another cloth. */
+/** (T) values minus those of another cloth. */
 export function differences(values, map, others) {
   return values.map((value, t) => value - others[map.face(t)]);
 }

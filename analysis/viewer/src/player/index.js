@@ -17,7 +17,7 @@ export function makePlayer(element) {
   return player;
 }
 
-/** Fills the players that are there, and those that other parts of the page make and give up. */
+/** Starts the players of the page. Later it starts and disposes of players for other parts of the page. */
 export function startPlayers(root = document) {
   for (const element of root.querySelectorAll(".player")) makePlayer(element);
   document.addEventListener("bendlab:player", ({ detail }) => makePlayer(detail.element));

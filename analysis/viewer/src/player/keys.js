@@ -1,4 +1,4 @@
-/** The keys of a player, and the list of them behind "?". They act while something in the player has the focus. */
+/** The keys of a player, and their list, which "?" opens. Keys act while the player has the focus. */
 import { html } from "../page/dom.js";
 
 /** [keys as event.key, with Shift+ or Ctrl+ before; keys as text; what they do; the action of the player] */
@@ -6,9 +6,9 @@ export const KEYS = [
   ["Time",
     [[" ", "k"], "Space", "play, pause", (p) => p.toggle()],
     [["ArrowLeft"], "←", "one frame back", (p) => p.step(-1)],
-    [["ArrowRight"], "→", "one frame on", (p) => p.step(1)],
+    [["ArrowRight"], "→", "one frame forward", (p) => p.step(1)],
     [["PageUp"], "Page up", "ten frames back", (p) => p.step(-10)],
-    [["PageDown"], "Page down", "ten frames on", (p) => p.step(10)],
+    [["PageDown"], "Page down", "ten frames forward", (p) => p.step(10)],
     [["Home"], "Home", "first frame", (p) => p.seek(p.first)],
     [["End"], "End", "last frame", (p) => p.seek(p.last)],
     [["["], "[", "slower", (p) => p.changeSpeed(-1)],
@@ -43,7 +43,7 @@ export const KEYS = [
     [["?"], "?", "this list", (p) => p.showKeys()]],
 ];
 
-/** Carries out a key event; whether it was one of the player's. */
+/** Carries out a key event; returns whether it was a key of the player. */
 export function pressed(player, event) {
   if (event.altKey || event.metaKey || event.defaultPrevented) return false;
   const typed = event.target.closest("input:not([type=range]):not([type=checkbox]), textarea, select");
@@ -69,8 +69,9 @@ export function keysDialog() {
     dialog.close() }, "×");
   const dialog = html("dialog", { class: "player-keys", "aria-label": "Keys of the player" }, close,
     html("h3", {}, "Keys"),
-    html("p", {}, "They act while the player has the focus. Drag turns the cloth, with the right button or two " +
-      "fingers moves it; the wheel or two fingers zoom once a view was clicked; a click or a tap shows values."),
+    html("p", {}, "The keys act while the player has the focus. Dragging turns the cloth; with the right " +
+      "button or two fingers it moves the picture. After a click on a view the wheel or two fingers zoom. " +
+      "A click or a tap shows values."),
     html("div", { class: "player-keys-list" }, ...KEYS.map(([name, ...keys]) => html("table", {},
       html("caption", {}, name), html("tbody", {}, ...keys.filter(([, text]) => text).map(([, text, what]) =>
         html("tr", {}, html("td", {}, html("kbd", {}, text)), html("td", {}, what))))))));

@@ -1,6 +1,6 @@
-/** What a rest mesh knows: its edges, rings, hinges, and where another mesh's points lie on it. Lengths in m. */
+/** A rest mesh: its edges, rings, hinges, and where points of another mesh lie on it. Lengths in m. */
 
-/** A number for a pair of vertices, whichever comes first. */
+/** A number for a pair of vertices in either order. */
 const pairKey = (a, b) => (a < b ? a * 67108864 + b : b * 67108864 + a);
 
 export class Mesh {
@@ -153,7 +153,7 @@ export class RestMap {
   }
 }
 
-/** Triangles by the cells of a grid, for nearest-triangle questions. */
+/** Triangles by the cells of a grid, to find the nearest triangle. */
 class TriangleGrid {
   constructor(mesh) {
     this.mesh = mesh;

@@ -1,6 +1,6 @@
 /**
- * A camera that goes around a cloth: dragged, pinched, rolled or by keys. z is up. Lengths are in sizes of
- * what is shown from its centre (anchorViews), so that one camera suits runs of any size.
+ * A camera that goes around a cloth, moved by dragging, pinching, the wheel or keys. z is up. Lengths are in
+ * sizes of the cloth, from its centre (anchorViews), so that one camera suits runs of any size.
  */
 import { PerspectiveCamera, Vector3 } from "three";
 
@@ -37,7 +37,7 @@ export class Orbit {
     this.moved = true;
   }
 
-  /** In heights of the picture. */
+  /** Moves the picture; x and y in heights of the picture. */
   pan(right, up) {
     const [r, u] = this.axes();
     const far = 2 * this.distance * Math.tan(FIELD / 360 * Math.PI);
@@ -45,7 +45,7 @@ export class Orbit {
     this.moved = true;
   }
 
-  /** Frames points (n · 3, in sizes) in a picture of this aspect. Nothing if the user has moved the camera. */
+  /** Frames points (n · 3, in sizes) in a picture of this aspect, unless the user has moved the camera. */
   frame(points, aspect) {
     if (!this.moved || !this.home) {
       const [right, up, back] = this.axes();
@@ -133,7 +133,7 @@ export function followPointers(element, move, click) {
   element.addEventListener("pointerup", up);
   element.addEventListener("pointercancel", up);
   element.addEventListener("contextmenu", (event) => event.preventDefault());
-  // A page is scrolled with the wheel: it zooms only where the view has the focus or the user says so.
+  // The wheel scrolls the page: it zooms only if the view has the focus or the user holds a key.
   element.addEventListener("wheel", (event) => {
     if (!event.ctrlKey && !event.metaKey && !element.contains(document.activeElement)) return;
     event.preventDefault();

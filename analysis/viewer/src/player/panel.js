@@ -1,4 +1,4 @@
-/** The values of what was picked, with a column for each run. Lengths in m. */
+/** The values of the picked vertex and triangle, with a column for each run. Lengths in m. */
 import { html } from "../page/dom.js";
 import { minus, number } from "../page/numbers.js";
 import { stretchesOf, stretchUncertainty } from "./fields.js";
@@ -13,7 +13,7 @@ export class Panel {
         this.typing = null;
         if (event.target.value !== "" && !this.element.hidden) choose(kind, Number(event.target.value));
       } });
-    this.typing = null; // the field whose text is not chosen yet
+    this.typing = null; // the field in which the user is typing a number
     this.vertex = field("vertex");
     this.triangle = field("triangle");
     this.table = html("table", {});
@@ -32,7 +32,7 @@ export class Panel {
     this.element.hidden = !picked.length;
     if (!picked.length) return;
     const [first] = picked;
-    // A picture may be drawn while somebody types: what is typed stays.
+    // The user may be typing while pictures are drawn: the typed text stays.
     if (this.typing !== this.vertex) this.vertex.value = first.picked.vertex;
     if (this.typing !== this.triangle) this.triangle.value = first.picked.triangle ?? "";
     const row = (name, text, meaning = "") => html("tr", {}, html("th", { scope: "row", title: meaning }, name),

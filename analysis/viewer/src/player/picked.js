@@ -1,4 +1,4 @@
-/** What was picked in a view, drawn: a vertex with its springs by ring, a triangle with its principal stretches. */
+/** Draws the picked vertex with its springs by ring, and the picked triangle with its principal stretches. */
 import { BufferAttribute, BufferGeometry, Points } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
@@ -32,7 +32,7 @@ export class Picked {
   #lines(width) {
     const drawn = new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({
       vertexColors: true, linewidth: width, transparent: true, depthTest: false, toneMapped: false }));
-    drawn.onBeforeRender = () => {}; // resize() tells the resolution: a view is not the whole canvas
+    drawn.onBeforeRender = () => {}; // resize() sets the resolution, because a view is not the whole canvas
     drawn.frustumCulled = false;
     drawn.layers.set(OVER);
     drawn.visible = false;
@@ -53,7 +53,7 @@ export class Picked {
     this.moved();
   }
 
-  /** After the cloth moved. */
+  /** Call it after the cloth has moved. */
   moved() {
     this.#drawVertex();
     this.#drawTriangle();
@@ -69,7 +69,7 @@ export class Picked {
     this.mark.geometry.getAttribute("position").needsUpdate = true;
     if (!this.springs.length) return;
     const places = [], colours = [];
-    for (const { ring, others } of this.springs.toReversed()) { // the nearest on top
+    for (const { ring, others } of this.springs.toReversed()) { // the nearest ring on top
       const colour = rgb(this.rings[(ring - 1 + this.rings.length) % this.rings.length]);
       for (const other of others) {
         places.push(...at, ...positions.subarray(3 * other, 3 * other + 3));
@@ -111,14 +111,14 @@ export class Picked {
     fill(this.arrows, places, colours);
   }
 
-  /** Tells the lines how large the picture is, in pixels. */
+  /** Gives the lines the size of the picture, in pixels. */
   resize(width, height, ratio) {
     for (const drawn of [this.lines, this.arrows]) drawn.material.resolution.set(width / ratio, height / ratio);
     this.mark.material.uniforms.ratio.value = ratio;
   }
 }
 
-/** Without three's colour management: sRGB as it is stored. */
+/** A colour without three's colour management: sRGB as it is stored. */
 function rgb(hex) {
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 }

@@ -18,7 +18,7 @@ import { Stage } from "./stage.js";
 import { anchorViews, View } from "./view.js";
 
 const REFINE_MS = 220;
-const TELL_MS = 120; // between two states of the clock while it runs: text is slow to draw without a graphics card
+const TELL_MS = 120; // between updates of the running clock: text is slow to draw without a graphics card
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -64,7 +64,7 @@ export class Player {
     this.#dropViews();
     const runs = this.shownIds.map(runOf);
     this.controls.showCells(runs);
-    // First, so that the graphics start while frames are read
+    // Comes first, so that the graphics start while frames are read
     if (runs.some((run) => run.frames) && !this.#makeStage()) return;
     const loaded = await Promise.all(runs.map(async (run) => {
       if (!run.frames) return { run, problem: run.remedy ?? "This run has no recorded frames." };
@@ -110,7 +110,7 @@ export class Player {
     if (this.turn === turn && !this.played && !this.disposed) this.play();
   }
 
-  /** Shows other runs of those that the player has. */
+  /** Shows other runs out of the player's runs. */
   show(ids) {
     this.shownIds = ids.slice(0, most);
     if (!this.shownIds.includes(this.referenceId)) this.referenceId = null;
@@ -172,7 +172,7 @@ export class Player {
     this.draw();
   }
 
-  /** Points the cameras at the cloth, together or each at its own; not those that the user has moved. */
+  /** Points the cameras at the cloth, together or each at its own. Cameras that the user has moved stay. */
   #frameAll() {
     if (!this.cells.length || !this.cells[0].width) return;
     const points = anchorViews(this.views);
@@ -194,13 +194,13 @@ export class Player {
     this.draw();
   };
 
-  /** Paper is white, and takes the picture that is there at once. */
+  /** Prepares for print: paper is white, and takes the current picture at once. */
   #printed = () => {
     this.#restyled();
     this.drawNow();
   };
 
-  /** Moves the cameras: all if they are linked, else that of a view. */
+  /** Moves the cameras: all cameras if they are linked, else the camera of a view. */
   move(change, view = this.focused ?? this.views[0]) {
     if (!view) return;
     change(view.orbit);
@@ -234,7 +234,7 @@ export class Player {
       try {
         await this.element.requestFullscreen();
       } catch {
-        this.element.classList.add("player-filling"); // where a browser has full screen for videos alone
+        this.element.classList.add("player-filling"); // for browsers that have full screen for videos only
       }
     }
     this.controls.update();
@@ -244,12 +244,14 @@ export class Player {
   // --- time
 
   seek(time) {
+    if (!this.views.length) return; // its frames are not read yet
     this.time = Math.min(Math.max(time, this.first), this.last);
     this.draw();
   }
 
-  /** To the next recorded frame of any run, or the one before. */
+  /** Goes to the next recorded frame of any run, or to the frame before. */
   step(count) {
+    if (!this.views.length) return;
     this.stop();
     const times = [...new Set(this.views.flatMap((view) => [...view.frames.times]))].sort((a, b) => a - b);
     let at = times.findLastIndex((time) => time <= this.time + 1e-9);
@@ -330,7 +332,7 @@ export class Player {
     this.setQuantity(keys[(keys.indexOf(this.key) + by + keys.length) % keys.length]);
   }
 
-  /** Compares with a run; null: with none. */
+  /** Compares with a run; null: with no run. */
   setReference(id) {
     const had = this.referenceId;
     this.referenceId = id;
@@ -340,7 +342,8 @@ export class Player {
       const same = this.reference && view !== this.reference ? this.compare.map(view, this.reference) : null;
       view.overlay(same ? this.reference : null);
       this.controls.note(view, this.reference && view !== this.reference && !same
-        ? "another cloth: not comparable" : view === this.reference ? "the others are compared with this" : "");
+        ? "another cloth: not comparable"
+        : view === this.reference ? "the other runs are compared with this run" : "");
     }
     this.controls.update();
     this.draw();
@@ -378,8 +381,8 @@ export class Player {
     });
   }
 
-  /** Whether another frame is shown than before. @param {boolean} moving the picture may be coarse
-   * @param {boolean} always also where the frame is the same */
+  /** Draws; returns whether the frame has changed. @param {boolean} moving the picture may be coarse
+   * @param {boolean} always draws also if the frame is the same */
   drawNow(moving = false, always = !moving) {
     if (!this.stage || !this.views.length || this.disposed || !this.cells[0].width) return false;
     let changed = false;
@@ -438,6 +441,7 @@ export class Player {
     });
     for (const { other, vertex: v, triangle: t } of chosen) other.picked.set(v, t, null);
     this.draw();
+    this.#showPicked(); // at once, because draw() does it only in a later frame while the cloth plays
     for (const { other, vertex: v, triangle: t } of chosen) {
       if (v === null) continue;
       other.springs ??= Promise.all(Object.values(other.frames.head.springs.kinds).map(async (section) => ({
@@ -447,9 +451,10 @@ export class Player {
       other.picked.set(v, t, springsOf(other.mesh, kinds, v));
     }
     this.draw();
+    this.#showPicked();
   }
 
-  /** By number: of the view that has the focus, else the first. */
+  /** Picks by number: in the view that has the focus, else in the first view. */
   pickNumber(kind, index) {
     const view = this.focused ?? this.views[0];
     if (!view) return;

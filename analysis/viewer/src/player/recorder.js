@@ -1,16 +1,16 @@
-/** Saves what a player shows. */
+/** Saves the picture or the motion of a player. */
 import { pageData } from "../page/data.js";
 import { AnimatedPng } from "./apng.js";
 import { compose, offer, recordWebm, STRIP, webmType } from "./save.js";
 
 const PICTURES_PER_SECOND = 15; // of an animated PNG
-const FINE_ENOUGH = 1; // level of moving pictures that are kept (stage.js)
+const FINE_ENOUGH = 1; // level of detail of moving pictures that are saved (stage.js)
 
 export class Recorder {
   constructor(player) {
     this.player = player;
     this.recording = false;
-    this.slowest = 100; // ms for a picture; a slower machine would lose pictures of a WebM, which has its own time
+    this.slowest = 100; // ms per picture; slower pictures would be lost in a WebM, which runs in real time
   }
 
   /** A canvas with the picture, its labels, time and colour bar. */
@@ -68,7 +68,7 @@ export class Recorder {
     player.controls.update();
     const before = player.time, { stage } = player, level = stage.movingLevel;
     stage.movingLevel = Math.min(level, FINE_ENOUGH);
-    player.drawNow(true, true); // as large as the pictures that follow
+    player.drawNow(true, true); // so that the canvas has the size of the pictures that follow
     const target = this.#canvas(true); // each picture is read at once, so that none falls behind its time
     const found = webmType();
     const type = found && this.#pictureTime(target) <= this.slowest ? found : null;
@@ -120,7 +120,7 @@ export class Recorder {
     return (performance.now() - start) / 3;
   }
 
-  /** The last picture stays for a moment, in which a slow machine encodes what is waiting. */
+  /** Keeps the last picture for a moment, in which a slow machine encodes waiting pictures. */
   async #hold(drawn) {
     for (let i = 0; i < 6; ++i) {
       await new Promise((resume) => setTimeout(resume, 120));

@@ -1,4 +1,4 @@
-/** The runs of a page, read once however many players show them. */
+/** The runs of a page. Each is read once, even if several players show it. */
 import { pageData } from "../page/data.js";
 import { Frames } from "./decode.js";
 
@@ -10,12 +10,12 @@ export function runOf(id) {
     { id, label: id, frames: null, remedy: "This page has no such run." };
 }
 
-/** Reads a run's frames again when they are wanted next: its script has new ones. */
+/** Forgets a run's frames, so that they are read again: its script has new frames. */
 export function forget(id) {
   opened.delete(id);
 }
 
-/** Its frames: the first is decoded, the others follow. */
+/** The frames of a run: the first is decoded, the others follow. */
 export function framesOf(run) {
   if (!opened.has(run.id)) {
     const element = document.getElementById(run.frames.dom);

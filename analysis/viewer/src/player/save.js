@@ -13,7 +13,7 @@ export function offer(name, blob) {
 }
 
 /**
- * Draws what the player shows onto another canvas, with the labels that are not in it.
+ * Draws the player's picture onto another canvas, with the labels that the picture lacks.
  * @param {CanvasRenderingContext2D} context as large as the player's canvas and a strip below it
  * @param {{canvas: HTMLCanvasElement, ratio: number, cells: object[], time: number, bar: object|null,
  *          look: {paper: string, ink: string}}} shown
@@ -71,7 +71,7 @@ function fitted(context, text, width) {
 /** The WebM type that this browser records; null if none. */
 export function webmType() {
   if (typeof MediaRecorder === "undefined") return null;
-  return ["video/webm;codecs=vp8", "video/webm;codecs=vp9", "video/webm"] // the one that is fastest to encode first
+  return ["video/webm;codecs=vp8", "video/webm;codecs=vp9", "video/webm"] // fastest to encode first
     .find((type) => MediaRecorder.isTypeSupported(type)) ?? null;
 }
 

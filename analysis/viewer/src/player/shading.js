@@ -1,6 +1,6 @@
 /**
- * How cloth, obstacles and the floor are lit: the same light as the printed figures (analysis/render.py), whose
- * constants come with the page. Colours in shaders are linear until the last line.
+ * How cloth, obstacles and the floor are lit: the same light as in the printed figures, analysis/draw/render.py,
+ * whose constants come with the page. Colours in shaders are linear until the last line.
  */
 import { DataTexture, DoubleSide, GLSL3, LinearFilter, RGBAFormat, ShaderMaterial, UnsignedByteType,
          Vector3 } from "three";
@@ -46,7 +46,7 @@ const VERTEX = /* glsl */`
   }
 `;
 
-/** What all materials of a view share. @param {object} colours of the page's data */
+/** The uniforms that all materials of a view share. @param {object} colours of the page's data */
 export function lighting(colours) {
   return { light: { value: new Vector3(...colours.light) }, shadowMap: { value: null },
            shadowMatrix: { value: null }, shadowTexel: { value: 1 }, size: { value: 1 },

@@ -5,16 +5,16 @@ import { DepthTexture, GLSL3, LinearSRGBColorSpace, Mesh as Drawn, NearestFilter
 
 import { OVER } from "./view.js";
 
-const FAST_MS = 18, SLOW_MS = 26; // between moving pictures; they are made finer below and coarser above
-// From what is shown at rest to what a slow machine shows of moving cloth. `ratio`: pixels for each of the
-// page's, at most; `rings` · `turns`: pairs of samples for dark folds; `taps`: samples of the shadow map of `shadow` pixels;
-// `quick`: without lines (cloth.js).
+const FAST_MS = 18, SLOW_MS = 26; // between moving pictures: if faster they become finer, if slower coarser
+// Levels of detail, from cloth at rest to moving cloth on a slow machine. `ratio`: most pixels per pixel of the
+// page; `rings` · `turns`: pairs of samples for dark folds; `taps`: samples of the shadow map of `shadow`
+// pixels; `quick`: without lines (cloth.js).
 const LEVELS = [
   { ratio: 2, samples: 4, rings: 3, turns: 6, taps: 10, shadow: 1024, quick: false },
   { ratio: 1, samples: 0, rings: 2, turns: 3, taps: 4, shadow: 1024, quick: false },
   { ratio: 0.75, samples: 0, rings: 2, turns: 2, taps: 2, shadow: 512, quick: true },
   { ratio: 0.5, samples: 0, rings: 0, turns: 0, taps: 1, shadow: 512, quick: true }];
-const MOST_QUICK = 50_000; // triangles that throw a shadow while they move on a slow machine
+const MOST_QUICK = 50_000; // on a slow machine at most this many triangles throw a shadow while they move
 const SOFTWARE = /swiftshader|llvmpipe|software|basic render/i;
 
 export class Stage {
@@ -22,7 +22,7 @@ export class Stage {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: false, alpha: false, powerPreference: "high-performance" });
     this.renderer.autoClear = false;
-    this.renderer.outputColorSpace = LinearSRGBColorSpace; // shaders write what is shown
+    this.renderer.outputColorSpace = LinearSRGBColorSpace; // shaders write the final colours
     this.renderer.setClearColor(0xffffff, 1);
     this.ground = { top: new Vector3(), bottom: new Vector3() };
     this.quad = new Drawn(new PlaneGeometry(2, 2), this.#composer());
@@ -35,8 +35,8 @@ export class Stage {
     this.backdropScene = new Scene();
     this.backdropScene.add(this.backdrop);
     this.movingLevel = SOFTWARE.test(this.#graphics()) ? LEVELS.length - 1 : 0;
-    this.level = this.movingLevel; // the first picture is one of a moment
-    this.finest = 0; // level that this machine can play
+    this.level = this.movingLevel; // the first picture is shown for a moment only
+    this.finest = 0; // finest level that this machine can play
     this.times = [];
   }
 
@@ -53,8 +53,8 @@ export class Stage {
                   size: { value: 1 }, texel: { value: new Vector2() }, bounds: { value: new Vector4() },
                   rings: { value: 3 }, turns: { value: 4 } },
       vertexShader: "out vec2 place; void main() { place = 0.5 * position.xy + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }",
-      // As _occlusion() of analysis/render.py: two pixels on opposite sides count by how far their middle is in
-      // front, so that a plane is bright however it lies.
+      // As _occlusion() of analysis/draw/render.py: two pixels on opposite sides count by how far their middle
+      // is in front, so that a plane is bright however it lies.
       fragmentShader: /* glsl */`
         uniform sampler2D picture, depth;
         uniform float near, far, size;
@@ -110,7 +110,7 @@ export class Stage {
     this.target = null;
   }
 
-  /** What the cloth is drawn into; null: the canvas, where no folds are darkened. */
+  /** The target that the cloth is drawn into; null: the canvas, where folds are not darkened. */
   #targetOf({ samples, rings }) {
     if (!rings) return null;
     if (this.target?.samples !== samples) this.#forget();
@@ -192,7 +192,7 @@ export class Stage {
     }
   }
 
-  /** Tells how long moving pictures take to appear, in ms: they are made as fine as this machine can. */
+  /** Adapts the level of moving pictures to this machine. `took`: ms until a moving picture appeared. */
   judge(took) {
     this.times.push(took);
     if (this.times.length < 9) return;

@@ -1,4 +1,4 @@
-/** One run in its view: cloth, obstacles, floor, pins, and what was picked. */
+/** One run in its view: cloth, obstacles, floor, pins, and the picked vertex and triangle. */
 import { BufferAttribute, BufferGeometry, Color, DepthTexture, GLSL3, LessEqualCompare,
          Matrix4, Mesh as Drawn, NearestFilter, LinearFilter, OrthographicCamera, PlaneGeometry, Points, Scene, ShaderMaterial,
          UnsignedIntType, Vector3, WebGLRenderTarget } from "three";
@@ -9,7 +9,7 @@ import { newCamera, Orbit } from "./orbit.js";
 import { Picked } from "./picked.js";
 import { floorMaterial, ghostMaterial, lighting, obstacleMaterial, shadowMaterial } from "./shading.js";
 
-const CASTS = 1; // layer of what throws a shadow
+const CASTS = 1; // layer of the objects that throw a shadow
 export const OVER = 2; // layer of marks, drawn after the cloth
 
 export class View {
@@ -124,7 +124,7 @@ export class View {
     this.light.shadowTexel.value = 0.0042 * this.size / (2 * reach) * 0.6;
   }
 
-  /** Shows the frame of a time; whether it is another than before. */
+  /** Shows the frame of a time; returns whether the frame has changed. */
   goTo(time) {
     const frame = this.frames.frameAt(time);
     if (frame === this.frame) return false;
@@ -145,7 +145,7 @@ export class View {
     return this.frames.times[this.frame];
   }
 
-  /** Sees another run's cloth as a ghost; null: none. */
+  /** Shows another run's cloth as a ghost; null: no ghost. */
   overlay(other) {
     if (this.ghost) this.scene.remove(this.ghost);
     this.ghost = null;
@@ -157,7 +157,7 @@ export class View {
     this.scene.add(this.ghost);
   }
 
-  /** Some points of frames over the whole time, in m: what the camera is to show. */
+  /** Sample points of frames over the whole time, in m, which the camera is to show. */
   sample() {
     const points = [], last = this.frames.decoded - 1;
     const frames = new Set([0, this.frame, ...[0.2, 0.4, 0.6, 0.8, 1].map((share) => Math.round(share * last))]);
@@ -168,7 +168,7 @@ export class View {
       this.frames.positions(frame, at);
       for (let i = 0; i < at.length; i += 3 * stride) {
         const away = Math.hypot(at[i] - this.middle[0], at[i + 1] - this.middle[1], at[i + 2] - this.middle[2]);
-        if (away < 1.6 * this.size) points.push(at[i], at[i + 1], at[i + 2]); // what flew away is not looked for
+        if (away < 1.6 * this.size) points.push(at[i], at[i + 1], at[i + 2]); // the rest flew away
       }
     }
     return points;
@@ -194,15 +194,15 @@ export class View {
     this.shadowTarget?.depthTexture.dispose();
     this.shadowTarget?.dispose();
     this.shadowMaterial.dispose();
-    this.overlay(null); // its geometry is another's
+    this.overlay(null); // the overlay's geometry belongs to another view
     this.scene.traverse((node) => { node.geometry?.dispose(); node.material?.dispose?.(); });
   }
 }
 
 /**
  * Gives views whose cloth is equally large and at the same place one centre and size for their cameras, so that
- * cameras locked together show the same of each; views of other cloth get their own.
- * @returns {number[][]} what the camera of each view is to show, in sizes from the centre
+ * cameras locked together show the same part of each cloth; views of other cloth get their own.
+ * @returns {number[][]} points that the camera of each view is to show, in sizes from the centre
  */
 export function anchorViews(views) {
   const groups = [];
@@ -231,7 +231,7 @@ function middleOf(rest) {
   return low.map((x, c) => (x + high[c]) / 2);
 }
 
-/** The box of some of the points. */
+/** The box of a sample of the points. */
 function roughBox(points) {
   const stride = 3 * Math.max(1, Math.floor(points.length / 3 / 1500)), some = [];
   for (let i = 0; i < points.length; i += stride) some.push(points[i], points[i + 1], points[i + 2]);

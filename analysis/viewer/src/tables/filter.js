@@ -1,10 +1,12 @@
-/** Shows the rows of a table that have all the words, and the chosen values of columns with few of them. */
+/** Shows the rows of a table that have all typed words and all values chosen from the lists of columns. */
 import { html } from "../page/dom.js";
+import { isChosen, whenChosen } from "../page/selection.js";
 
-/** @param {HTMLTableElement} table its heads with the class `choose` get a list of their values */
+/** @param {HTMLTableElement} table a column whose head has the class `choose` gets a list of its values */
 export function makeFilterable(table) {
   const rows = [...table.tBodies[0].rows];
   const texts = new Map(rows.map((row) => [row, row.textContent.toLowerCase()]));
+  const runsOf = new Map(rows.map((row) => [row, (row.querySelector("[data-run]")?.dataset.run ?? "").split(" ").filter(Boolean)]));
   const lists = [...table.tHead.rows[0].cells].flatMap((head, column) =>
     head.classList.contains("choose") ? [valueList(head, column, rows, apply)] : [],
   );
@@ -22,7 +24,10 @@ export function makeFilterable(table) {
     let count = 0;
     for (const row of rows) {
       const text = texts.get(row);
-      const fits = wanted.every((word) => text.includes(word)) && lists.every((list) => list.fits(row));
+      const fits =
+        wanted.every((word) => text.includes(word)) &&
+        lists.every((list) => list.fits(row)) &&
+        isChosen(runsOf.get(row));
       row.hidden = !fits;
       count += fits;
     }
@@ -33,6 +38,7 @@ export function makeFilterable(table) {
   place.before(
     html("div", { class: "filters", role: "search" }, words, ...lists.map((list) => list.element), found),
   );
+  whenChosen(apply);
   apply();
   return { words, apply };
 }

@@ -3,7 +3,7 @@ import { makeFilterable } from "./filter.js";
 import { startRuns } from "./run_dialog.js";
 import { makeSortable } from "./sort.js";
 
-const MANY = 3; // rows, above which a table has a filter
+const MANY = 3; // a table with more rows has a filter
 
 /** @param {Document} root */
 export function startTables(root = document) {
@@ -16,7 +16,7 @@ export function startTables(root = document) {
   startRuns();
 }
 
-// On a phone every row is a card, in which each cell says what it is.
+// On a phone every row is a card; each of its cells then shows the name of its column.
 function labelCells(table) {
   const labels = [...table.tHead.rows[table.tHead.rows.length - 1].cells].map((head) =>
     (head.dataset.label ?? head.textContent).trim(),

@@ -1,4 +1,5 @@
 /** A run, opened from a table, a chart or an address: how it moves, its worst number, config, command. */
+import { choice } from "../charts/controls.js";
 import { button, copy, html } from "../page/dom.js";
 import { pageData } from "../page/data.js";
 import { number, value, withUnit } from "../page/numbers.js";
@@ -9,7 +10,8 @@ const NOTES = { diverged: "diverged", amber: "open", green: "yes" };
 let dialog = null,
   list = [],
   back = null,
-  playing = null;
+  playing = null,
+  other = null; // the run that the opened run is compared with; null: its neighbours in the list
 
 /** Runs open on `bendlab:open`, on cells with data-run, and on an address that ends in #run-ID. */
 export function startRuns() {
@@ -29,7 +31,7 @@ function fromAddress() {
   if (id && pageData().byId.has(id)) open([id], null);
 }
 
-// The runs in the order in which the table shows them now; a cell that counts runs has these alone.
+// The runs in the order in which the table shows them now; for a cell that counts runs only these runs.
 function neighbours(cell) {
   const table = cell.closest("table.shares") ? null : cell.closest("tbody");
   const shown = [...(table?.querySelectorAll("[data-run]") ?? [cell])]
@@ -93,7 +95,7 @@ function show(at) {
   if (playing) play(run);
 }
 
-// Of a run with its first and last frame alone the last one is shown.
+// A run that has only its first and last frame starts at the last frame.
 function play(run) {
   document.dispatchEvent(new CustomEvent("bendlab:player", { detail: { element: playing } }));
   if (run.frames.count <= 2 && playing.player)
@@ -126,7 +128,8 @@ function about(run) {
   }
   if (run.stills) parts.push(stills(run.stills));
   if (run.command) parts.push(html("h3", {}, "Repeat it"), command(run.command));
-  parts.push(...numbers(run), ...config(run));
+  const compared = html("div", {}, ...numbers(run), ...config(run));
+  parts.push(...chooseOther(run, compared), compared);
   return parts;
 }
 
@@ -157,10 +160,24 @@ function worst(run) {
   );
 }
 
+// A choice of another run; its metrics and config are then shown beside those of this run.
+function chooseOther(run, compared) {
+  const others = pageData().runs.filter((each) => each !== run && (each.summary || each.changes));
+  if (!others.length) return [];
+  const texts = ["its neighbours in the list", ...others.map((each) => each.title ?? each.label)];
+  const chosen = (at) => {
+    other = others[at - 1] ?? null;
+    compared.replaceChildren(...numbers(run), ...config(run));
+  };
+  return [html("p", { class: "tools" }, choice("Compare with", texts, 1 + others.indexOf(other), chosen))];
+}
+
 function numbers(run) {
   const metrics = pageData().summary ?? {};
   const rows = Object.entries(run.summary ?? {}).filter(([name]) => name in metrics);
   if (!rows.length) return [];
+  const beside = other === run ? null : other;
+  const heads = ["", "this run", beside?.title, "ratio"];
   return [
     html("h3", {}, "Numbers"),
     html(
@@ -169,6 +186,7 @@ function numbers(run) {
       html(
         "table",
         {},
+        beside && html("thead", {}, html("tr", {}, ...heads.map((text) => html("th", {}, text)), html("th", {}))),
         html(
           "tbody",
           {},
@@ -178,6 +196,8 @@ function numbers(run) {
               {},
               html("th", { class: "t", scope: "row" }, metrics[name].label),
               html("td", {}, withUnit(value(x), metrics[name].unit, 4)),
+              beside && html("td", {}, withUnit(value(beside.summary?.[name]), metrics[name].unit, 4)),
+              beside && html("td", {}, number(value(x) / value(beside.summary?.[name]))),
               html("td", { class: "t text grey" }, metrics[name].meaning ?? ""),
             ),
           ),
@@ -187,12 +207,14 @@ function numbers(run) {
   ];
 }
 
-// The settings in which this run differs from the ones beside it in the list; alone: from all others.
+// The settings in which this run differs from the chosen run, or from its neighbours in the list; without
+// neighbours from two other runs with the same base config.
 function config(run) {
   if (!run.changes && run.base === undefined) return [];
   const at = list.indexOf(run.id);
-  const beside =
-    list.length > 1
+  const beside = other && other !== run
+    ? [other]
+    : list.length > 1
       ? [list[at - 1], list[at + 1]].filter(Boolean).map((id) => pageData().byId.get(id))
       : pageData()
           .runs.filter((other) => other !== run && other.base === run.base)
@@ -230,10 +252,10 @@ function config(run) {
           ),
         ),
       )
-    : html("p", { class: "grey" }, "No setting differs from those of the runs beside it.");
+    : html("p", { class: "grey" }, "No setting differs.");
   const text = configText(run);
   return [
-    html("h3", {}, "Config, where it differs from the runs beside it"),
+    html("h3", {}, "Config, where it differs"),
     table,
     html(
       "details",

@@ -1,4 +1,4 @@
-/** Configs of runs as JSON pointers and values. A page has some whole configs, and of each run what differs
+/** Configs of runs as JSON pointers and values. A page has whole base configs, and the differences of each run
  * from one of them. */
 import { pageData } from "../page/data.js";
 
@@ -12,7 +12,7 @@ export function settingsOf(run) {
   return settings;
 }
 
-/** What differs among runs: pointers, and each run's values. @param {Object[]} runs */
+/** The settings that differ among runs: pointers, and each run's values. @param {Object[]} runs */
 export function differences(runs) {
   const all = runs.map(settingsOf);
   const pointers = new Set(all.flatMap((settings) => [...settings.keys()]));

@@ -1,4 +1,4 @@
-/** Sorts a table by a column, by the number in `data-v` where a cell has one, else by its text. */
+/** Sorts a table by a column: by the number in `data-v` of a cell, or by its text if it has no `data-v`. */
 
 /** @param {HTMLTableElement} table */
 export function makeSortable(table) {
@@ -26,11 +26,11 @@ function sortBy(table, column, direction) {
   body.append(...rows.map(({ row }) => row));
 }
 
-// A number, a text, or null: nothing there.
+// A number, a text, or null for an empty cell.
 function keyOf(cell) {
   const written = cell?.dataset.v;
   if (written !== undefined) {
-    const number = written === "∞" ? Infinity : Number(written);
+    const number = Number(written.replace("∞", "Infinity"));
     return written === "" ? null : Number.isNaN(number) ? written : number;
   }
   const text = cell?.textContent.trim();
@@ -40,14 +40,14 @@ function keyOf(cell) {
 // The number that a text begins with, as numbers are written in pages: 1,824 or −0.5 or 1.2·10⁻⁵ or ± 5 %.
 function numberOf(text) {
   const found = /^(?:± ?)?([-−]?\d[\d,\u202f]*(?:\.\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|e([-+]?\d+))?(?![\w²])/.exec(text);
-  if (text === "∞") return Infinity;
+  if (/^[-−]?∞$/.test(text)) return text === "∞" ? Infinity : -Infinity;
   if (!found) return null;
   const plain = Number(found[1].replace("−", "-").replace(/[,\u202f]/g, ""));
   const power = found[3] ?? found[2]?.replace(/./g, (c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))) ?? 0;
   return plain * 10 ** Number(power);
 }
 
-// What is not there comes last, in both directions; numbers before texts.
+// Empty cells come last in both directions; numbers come before texts.
 function compare(a, b, direction) {
   if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
   if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;

@@ -1,0 +1,244 @@
+"""The charts of a report as files for papers: SVG, PDF or PNG, a file for each chart and number."""
+import re
+import textwrap
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import NullLocator
+
+from draw import style
+
+MOST_TEXTS = 30  # a figure with more points has no texts at them
+MOST_PANELS, MOST_NUMBERS = 18, 3  # of a chart of a page in one file
+DECADE = 10  # an axis is logarithmic if its largest number is at least this many times its smallest
+SIZE = (4.4, 3.1)  # inches, of the axes with their labels
+MOST_MARKS = 60  # a curve with more points is a line without marks
+NO_DATE = {"pdf": {"CreationDate": None}, "svg": {"Date": None}, "png": {}}  # equal charts are equal files
+
+plt.rcParams.update({"svg.fonttype": "none",  # texts of an SVG stay texts
+                     "svg.hashsalt": "bendlab"})  # equal names in equal files
+
+
+def write(charts, folder, kind):
+    """Writes the charts into a folder; returns the files."""
+    folder.mkdir(parents=True, exist_ok=True)
+    files = []
+    for chart in charts:
+        if chart["kind"] == "bars":
+            files.append(_saved(_bars(chart), folder, _name(chart), kind))
+            continue
+        for number in chart["ys"]:
+            figure = _lines(chart, number)
+            if figure:
+                files.append(_saved(figure, folder, _name(chart, number), kind))
+    return files
+
+
+def _name(chart, number=None):
+    """A file's name: what is drawn, against what."""
+    sweep = re.match(r"s(\d+)-", chart["id"])
+    parts = [f"sweep{sweep[1]}" if sweep and sweep[1] != "1" else "",
+             f"{number['name']} against {chart['x']['label']}" if number else chart["title"]]
+    return re.sub(r"[^a-zA-Z0-9]+", "-", " ".join(filter(None, parts))).strip("-")
+
+
+def _saved(figure, folder, name, kind):
+    file = Path(folder) / f"{name}.{kind}"
+    figure.savefig(file, bbox_inches="tight", pad_inches=0.05, facecolor="white", dpi=200,
+                   metadata=NO_DATE[kind])
+    plt.close(figure)
+    return file
+
+
+def _titled(about):
+    """A number's label with its unit."""
+    unit = about.get("unit", "")
+    return f"{about['label']} ({unit})" if unit and unit != "1" else about["label"]
+
+
+# --- curves ------------------------------------------------------------------------------------------------
+
+def write_chart(chart, folder, name):
+    """Writes a chart of a page as folder/name.png: a panel for each value of its first held axis, or for each
+    of its numbers. Returns the file's name; None if no number is finite: then there is no file."""
+    if chart["kind"] == "bars":
+        return style.save(_bars(chart), folder, name, large=0)
+    usual = [axis["at"] for axis in chart["held"]]
+    if chart["held"]:
+        values = chart["held"][0]["values"]
+        panels = [(chart["ys"][0], [at, *usual[1:]]) for at in range(len(values))][:MOST_PANELS]
+    else:
+        panels = [(number, []) for number in chart["ys"][:MOST_NUMBERS]]
+    panels = [panel for panel in panels if _curves(chart, *panel)]
+    if not panels:
+        return None
+    columns = min(len(panels), 3 if len(panels) != 4 else 2)
+    rows = -(-len(panels) // columns)
+    band = chart["x"]["scale"] == "band"
+    longest = max(len(_categories(chart, _curves(chart, *panel))) for panel in panels)
+    tall = max(SIZE[1] * (0.5 if chart["held"] else 1), 0.6 + 0.24 * longest) if band else SIZE[1]
+    figure, grid = plt.subplots(rows, columns, figsize=(SIZE[0] * columns, tall * rows), squeeze=False,
+                                layout="constrained", sharey=bool(chart["held"]) and not band)
+    for axes in grid.flat[len(panels):]:
+        axes.set_axis_off()
+    for axes, (number, held) in zip(grid.flat, panels):
+        _panel(axes, chart, number, held)
+        axes.set_title(_held_text(chart, held), fontsize=8.5)
+    handles = {label: handle for axes in grid.flat[:len(panels)]
+               for handle, label in zip(*axes.get_legend_handles_labels())}
+    if len(handles) > 1 and chart.get("legend", True):
+        figure.legend(handles.values(), handles.keys(), loc="upper left", bbox_to_anchor=(1, 0.95),
+                      fontsize=8)
+    title = textwrap.fill(chart["title"], int(13 * SIZE[0] * columns))
+    figure.suptitle(title, x=0.01, ha="left", fontsize=11)
+    return style.save(figure, folder, name, large=0)
+
+
+def _lines(chart, number):
+    """A figure of one number of a chart of curves; None if no curve has it."""
+    held = [axis["at"] for axis in chart.get("held", [])]
+    curves = _curves(chart, number, held)
+    if not curves:
+        return None
+    figure, axes = plt.subplots(figsize=SIZE)
+    texts = _panel(axes, chart, number, held)
+    if len(curves) > 1:
+        axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), fontsize=7.5, ncol=1 + (len(curves) > 18))
+    axes.set_title(", ".join(filter(None, [_held_text(chart, held), texts])), fontsize=8, color=style.GREY)
+    return figure
+
+
+def _curves(chart, number, held):
+    """(series, x, y, ranges) of the curves of a number at these places of the held axes."""
+    visible = [series for series in chart["series"] if number["name"] in series["y"]
+               and series.get("held", []) in (held, [])]
+    curves = [(series, *_known(series, number["name"])) for series in visible]
+    return [curve for curve in curves if len(curve[1])]
+
+
+def _panel(axes, chart, number, held):
+    """Draws one number of a chart; returns the meaning of the texts at its points."""
+    curves, band = _curves(chart, number, held), chart["x"]["scale"] == "band"
+    categories = _categories(chart, curves)
+    if band:
+        curves = [(series, np.array([categories.index(at) for at in x]), *rest)
+                  for series, x, *rest in curves]
+    for series, x, y, ranges in curves:
+        _curve(axes, series, *((y, x) if band else (x, y)), ranges, band, chart.get("joined", True))
+    limits = [limit for limit in chart.get("limits", []) if limit["metric"] == number["name"]]
+    for limit in limits:
+        (axes.axvline if band else axes.axhline)(limit["value"], color=style.GREY, linewidth=1,
+                                                 linestyle=(0, (4, 3)))
+        if not band:
+            axes.annotate(limit["text"], (1, limit["value"]), xycoords=axes.get_yaxis_transform(), ha="right",
+                          xytext=(0, 3), textcoords="offset points", fontsize=7.5, color=style.GREY)
+    values = np.concatenate([y for _, _, y, _ in curves])
+    _scales(axes, chart, [x for _, x, *_ in curves], values, categories)
+    axes.set_ylabel("" if band else textwrap.fill(_titled(number), 44))
+    axes.set_xlabel(_titled(number if band else chart["x"]))
+    return _write_texts(axes, chart, curves)
+
+
+def _known(series, name):
+    """x, y and the (low, high) of the points whose numbers are finite."""
+    number = lambda value: np.nan if value in (None, "∞", "-∞") else float(value)
+    x, y = (np.array([number(value) for value in values]) for values in (series["x"], series["y"][name]))
+    known = np.isfinite(x) & np.isfinite(y)
+    ranges = None
+    if "low" in series and name in series["low"]:
+        ends = np.array([[number(value) for value in series[end][name]] for end in ("low", "high")])
+        ranges = ends[:, known]
+    return x[known], y[known], ranges
+
+
+def _curve(axes, series, x, y, ranges, band, joined):
+    look = series["look"]
+    colour = look["light"]
+    dash = (0, tuple(map(float, look["dash"].split()))) if "dash" in look else "-"
+    only_line = series.get("line", False)
+    axes.plot(x, y, color=colour, label=series["label"], linewidth=1 if only_line else 1.3,
+              linestyle="none" if (band or not joined) and not only_line else dash,
+              marker=look["mark"] if len(x) <= MOST_MARKS and not only_line else None, markersize=4.5,
+              markeredgecolor=colour, markerfacecolor="white" if look.get("hollow") else colour)
+    if ranges is not None:
+        (axes.hlines if band else axes.vlines)(y if band else x, *ranges, color=colour, linewidth=0.9)
+
+
+def _write_texts(axes, chart, curves):
+    """Writes a text beside each point if the points are few; returns the meaning of these texts."""
+    if not chart.get("texts") or sum(len(x) for _, x, *_ in curves) > MOST_TEXTS:
+        return ""
+    for series, x, y, _ in curves:
+        for a, b, text in zip(x, y, series["texts"]):
+            axes.annotate(text, (a, b), xytext=(4, 3), textcoords="offset points", fontsize=6.5,
+                          color=style.GREY)
+    return f"at the points: {chart['texts']}"
+
+
+def _categories(chart, curves):
+    """The indices of the categories that the curves have, in order; all categories without held axes."""
+    if chart["x"]["scale"] != "band":
+        return []
+    used = {int(at) for _, x, *_ in curves for at in x}
+    return sorted(used) if chart.get("held") else list(range(len(chart["x"]["categories"])))
+
+
+def _scales(axes, chart, xs, values, categories):
+    """Sets scales and ticks: along x those of the chart; along y as it states, else by the numbers."""
+    x, wanted = chart["x"], chart.get("y_scale") or scale_of(values)
+    band = x["scale"] == "band"
+    if wanted == "log":
+        style.plain_log(axes, "x" if band else "y")
+    if band:
+        axes.set_yticks(range(len(categories)), labels=[x["categories"][at] for at in categories])
+        axes.set_ylim(len(categories) - 0.5, -0.5)
+    elif x.get("ticks") and x["scale"] != "linear":
+        axes.set_xscale("log")
+        ticks = _apart(sorted({value for numbers in xs for value in numbers}))
+        axes.set_xticks(ticks, labels=[f"{tick:,.6g}" for tick in ticks])
+        axes.xaxis.set_minor_locator(NullLocator())
+    elif x["scale"] in ("log", "log2"):
+        style.plain_log(axes, "x")
+
+
+def scale_of(values):
+    """log if the numbers are positive and span a decade, else linear."""
+    known = [value for value in values if np.isfinite(value)]
+    return "log" if known and min(known) > 0 and max(known) >= DECADE * min(known) else "linear"
+
+
+def _apart(values, least=1.35):
+    """The values of a logarithmic axis that have room for their labels."""
+    kept = []
+    for value in values:
+        if not kept or value >= least * kept[-1]:
+            kept.append(value)
+    return kept
+
+
+def _held_text(chart, held):
+    """What the other axes are, "" without any."""
+    return ", ".join(f"{axis['label']} {axis['values'][at]}" for axis, at in zip(chart.get("held", []), held))
+
+
+# --- bars --------------------------------------------------------------------------------------------------
+
+def _bars(chart):
+    rows = chart["rows"]
+    figure, axes = plt.subplots(figsize=(SIZE[0], 0.6 + 0.26 * len(rows)))
+    left = np.zeros(len(rows))
+    for i, part in enumerate(chart["parts"]):
+        if part.get("hidden"):
+            continue
+        width = np.array([row["values"][i] or 0 for row in rows], float)
+        axes.barh(range(len(rows)), width, left=left, height=0.7, color=part["look"]["light"],
+                  label=part["label"])
+        left += width
+    axes.set_yticks(range(len(rows)), labels=[row["label"] for row in rows])
+    axes.invert_yaxis()
+    axes.set_title(textwrap.fill(chart["title"], 60))
+    axes.grid(False, axis="y")
+    axes.set_xlabel(_titled(chart["x"]))
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), fontsize=7.5)
+    return figure

@@ -1,0 +1,20 @@
+"""Runs far from the origin of their coordinates, as surveys have them.
+
+Pages hold positions as single precision, which rounds by up to 2⁻²⁴ of the distance from the origin. If that
+is more than TOLERATED of an edge, pages hold positions relative to a round point near the cloth, chosen as in
+lib/bendlab/mesh/single_precision.cpp.
+"""
+import numpy as np
+
+TOLERATED = 1e-4  # edges
+
+
+def origin_of(rest, triangles):
+    """(3) a round point near the middle of a mesh; zeros if single precision has enough digits without it."""
+    sides = rest[triangles] - rest[np.roll(triangles, -1, axis=1)]
+    edge = np.linalg.norm(sides, axis=2).mean()
+    if not np.abs(rest).max() * 2**-24 > TOLERATED * edge:
+        return np.zeros(3)
+    power = int(np.floor(np.log10(np.ptp(rest, axis=0).max())))
+    unit, middle = 10.0**abs(power), (rest.min(axis=0) + rest.max(axis=0)) / 2
+    return (np.rint(middle / unit) * unit if power >= 0 else np.rint(middle * unit) / unit) + 0.0  # no -0

@@ -1,0 +1,349 @@
+"""Draws cloth and grey obstacles as an RGB image: a lit, two-sided surface with shadows.
+
+A z-buffer in numpy. Triangles are cut into pixel rows, and rows into pixels; the nearest triangle owns a
+pixel. Light, shadow and colour are then computed once per visible pixel. Neighbouring triangles leave no seam
+between them.
+"""
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  # towards the light
+SUPERSAMPLE = 2
+CHUNK = 4_000_000  # pixels rasterised at once; limits the memory
+OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
+BACK = np.array([0.50, 0.58, 0.78])  # linear; the colour of a back face is multiplied by this blue
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A perspective view. The image covers `extent` = (left, right, bottom, top): tangents of angles to the
+    view axis."""
+
+    eye: np.ndarray
+    axes: np.ndarray  # rows: right, up, backward
+    extent: tuple
+    floor: float  # height of the ground plane, m
+    size: float  # diagonal of the rest box, m
+
+    @property
+    def aspect(self):
+        left, right, bottom, top = self.extent
+        return (right - left) / (top - bottom)
+
+    def project(self, points, shape):
+        """(n, 3) points → (n, 2) pixel coordinates (x right, y down) and (n) nearness 1/depth; ≤ 0:
+        behind."""
+        view = (points - self.eye) @ self.axes.T
+        depth = -view[:, 2]
+        nearness = np.where(depth > 1e-3 * self.size, 1 / np.where(depth == 0, 1, depth), -1.0)
+        slopes = view[:, :2] * nearness[:, None]
+        left, right, bottom, top = self.extent
+        height, width = shape
+        x = (slopes[:, 0] - left) / (right - left) * width
+        y = (top - slopes[:, 1]) / (top - bottom) * height
+        return np.stack([x, y], axis=1), nearness
+
+    def rays(self, shape):
+        """(h, w, 3) direction through the centre of every pixel."""
+        left, right, bottom, top = self.extent
+        x = left + (np.arange(shape[1]) + 0.5) / shape[1] * (right - left)
+        y = top - (np.arange(shape[0]) + 0.5) / shape[0] * (top - bottom)
+        x, y = np.meshgrid(x, y)
+        return np.stack([x, y, -np.ones_like(x)], axis=-1) @ self.axes
+
+
+def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoom=None, reach=1.02):
+    """One camera for all cloths of a figure, (V, 3) each, pinned at `pin`.
+
+    It frames all points within `reach` sizes of the pin, by default those that an unstretched sheet reaches.
+    A sheet that has flown apart leaves the frame and does not make the others small. `zoom` frames what is
+    below the pin instead, to `zoom` sizes on either side of it. `aspect` is width over height of the picture;
+    None takes that of the cloth, from 0.5 to 2.
+    """
+    axes = _view_axes(azimuth, elevation)
+    points = np.concatenate(list(cloths))
+    points = points[np.isfinite(points).all(axis=1)]
+    near = points[np.linalg.norm(points - pin, axis=1) <= reach * size]
+    near = np.concatenate([near, [pin]])
+    floor = near[:, 2].min() - 0.06 * size
+    if zoom:
+        near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
+                                             for sz in (0.2 - 2 / aspect, 0.2)])
+    # if the cloth has left the view, frames the pin alone
+    return _framing(near, axes, size, floor, aspect, least=0.02)
+
+
+def scaled(camera, half):
+    """The camera with the same middle; `half` is half the height of its picture (tangent of an angle)."""
+    left, right, bottom, top = camera.extent
+    middle, level, across = (left + right) / 2, (bottom + top) / 2, half * camera.aspect
+    return replace(camera, extent=(middle - across, middle + across, level - half, level + half))
+
+
+def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):
+    """A camera that frames all finite points of one cloth; the frame is at least `least` wide."""
+    points = points[np.isfinite(points).all(axis=1)]
+    size = max(np.linalg.norm(np.ptp(points, axis=0)), least)
+    return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect,
+                    least=0.2)
+
+
+def _view_axes(azimuth, elevation):
+    """Rows: right, up, backward."""
+    a, e = np.radians(azimuth), np.radians(elevation)
+    backward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.cross([0.0, 0.0, 1.0], backward)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(backward, right), backward])
+
+
+def _framing(points, axes, size, floor, aspect, least=0.0):
+    """The camera along `axes` that frames these points with a small margin. `least`: smallest half width
+    (sizes)."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    eye = (low + high) / 2 + 3.2 * size * axes[2]
+    view = (points - eye) @ axes.T
+    slopes = view[:, :2] / -view[:, 2:]
+    low, high = slopes.min(axis=0), slopes.max(axis=0)
+    centre, half = (low + high) / 2, np.maximum((high - low) / 2 * 1.12, least / 3.2)
+    if aspect is None:
+        aspect = np.clip(half[0] / half[1], 0.5, 2)
+    centre[1] -= 0.03 * half[1]
+    half = np.maximum(half, [half[1] * aspect, half[0] / aspect])
+    extent = (centre[0] - half[0], centre[0] + half[0], centre[1] - half[1], centre[1] + half[1])
+    return Camera(eye, axes, extent, floor, size)
+
+
+def rasterise(xy, nearness, triangles, shape):
+    """The triangle that each pixel sees, (h, w) int, -1 for none; its nearness, (h, w), 0 for none.
+
+    `xy` (V, 2) in pixels. `nearness` (V) is linear across the screen; larger is nearer. Triangles with a
+    vertex of nearness ≤ 0 are left out.
+    """
+    height, width = shape
+    owner = np.full(height * width, -1, np.int32)
+    best = np.zeros(height * width)
+    corners = xy[triangles]
+    seen = np.isfinite(corners).all(axis=(1, 2)) & (nearness[triangles] > 0).all(axis=1)
+    x, y = corners[..., 0], corners[..., 1]
+    seen &= (x.max(1) > 0) & (x.min(1) < width) & (y.max(1) > 0) & (y.min(1) < height)
+    ids = np.flatnonzero(seen)
+    x, y, z = x[ids], y[ids], nearness[triangles[ids]]
+
+    # Nearness is a plane over the screen: z = z0 + gx (x - x0) + gy (y - y0).
+    ax, ay, az = x[:, 1] - x[:, 0], y[:, 1] - y[:, 0], z[:, 1] - z[:, 0]
+    bx, by, bz = x[:, 2] - x[:, 0], y[:, 2] - y[:, 0], z[:, 2] - z[:, 0]
+    area = ax * by - bx * ay
+    area = np.where(np.abs(area) < 1e-12, np.inf, area)
+    gx, gy = (az * by - bz * ay) / area, (ax * bz - bx * az) / area
+
+    first = np.clip(np.ceil(y.min(1) - 0.5), 0, height).astype(int)
+    last = np.clip(np.ceil(y.max(1) - 0.5), 0, height).astype(int)
+    triangle, row = _expand(first, last - first)
+    left, right = _row_interval(x[triangle], y[triangle], row + 0.5)
+    begin = np.clip(np.ceil(left - 0.5), 0, width).astype(int)
+    length = np.maximum(np.clip(np.ceil(right - 0.5), 0, width).astype(int) - begin, 0)
+
+    ends = np.cumsum(length)
+    start = 0
+    while start < len(length):
+        done = ends[start - 1] if start else 0
+        stop = max(int(np.searchsorted(ends, done + CHUNK, side="right")), start + 1)
+        span, column = _expand(begin[start:stop], length[start:stop])
+        t, r = triangle[start:stop][span], row[start:stop][span]
+        depth = z[t, 0] + gx[t] * (column + 0.5 - x[t, 0]) + gy[t] * (r + 0.5 - y[t, 0])
+        _keep_nearest(best, owner, r * width + column, depth, ids[t])
+        start = stop
+    return owner.reshape(shape), best.reshape(shape)
+
+
+def _expand(first, count):
+    """For every i the numbers first[i] … first[i] + count[i] - 1: (i, number), flat."""
+    count = np.maximum(count, 0)
+    index = np.repeat(np.arange(len(count)), count)
+    offset = np.arange(len(index)) - np.repeat(np.cumsum(count) - count, count)
+    return index, first[index] + offset
+
+
+def _row_interval(x, y, centre):
+    """x where the horizontal line at `centre` (n) enters and leaves triangles x, y (n, 3)."""
+    left, right = np.full(len(centre), np.inf), np.full(len(centre), -np.inf)
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        rise = y[:, b] - y[:, a]
+        t = (centre - y[:, a]) / np.where(rise == 0, np.inf, rise)
+        crosses = (rise != 0) & (t >= 0) & (t <= 1)
+        at = x[:, a] + t * (x[:, b] - x[:, a])
+        left = np.where(crosses, np.minimum(left, at), left)
+        right = np.where(crosses, np.maximum(right, at), right)
+    empty = left > right
+    return np.where(empty, 0, left), np.where(empty, 0, right)
+
+
+def _keep_nearest(best, owner, pixel, depth, ids):
+    """best[pixel] = max(best[pixel], depth), and the same for its owner; a pixel may occur many times."""
+    while len(pixel):
+        better = depth > best[pixel]
+        pixel, depth, ids = pixel[better], depth[better], ids[better]
+        best[pixel] = depth  # of several candidates the last is stored; the others try again
+        owner[pixel] = ids
+
+
+def vertex_normals(positions, triangles):
+    """(V, 3) area-weighted unit normals."""
+    a, b, c = (positions[triangles[:, i]] for i in range(3))
+    face = np.cross(b - a, c - a)
+    normals = np.stack([np.bincount(triangles.ravel(), np.repeat(face[:, i], 3), len(positions))
+                        for i in range(3)], axis=1)
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+
+
+class _ShadowMap:
+    """Nearness of the surface as seen from far away along LIGHT."""
+
+    def __init__(self, positions, triangles, centre, reach, pixels=900):
+        self.right = np.cross([0.0, 1.0, 0.0], LIGHT)
+        self.right /= np.linalg.norm(self.right)
+        self.up = np.cross(LIGHT, self.right)
+        self.centre, self.reach, self.pixels = centre, reach, pixels
+        xy, nearness = self._project(positions)
+        self.map = rasterise(xy, nearness, triangles, (pixels, pixels))[1]
+
+    def _project(self, points):
+        relative = points - self.centre
+        xy = np.stack([relative @ self.right, relative @ self.up], axis=-1) / self.reach
+        return (xy + 1) / 2 * self.pixels, 10 + relative @ LIGHT / self.reach
+
+    def light(self, points, bias, radius, taps):
+        """(n) share of the light that reaches the points, over taps² samples within `radius` pixels."""
+        xy, nearness = self._project(points)
+        total = np.zeros(len(points))
+        for dx in np.linspace(-radius, radius, taps):
+            for dy in np.linspace(-radius, radius, taps):
+                x = np.clip((xy[:, 0] + dx).astype(int), 0, self.pixels - 1)
+                y = np.clip((xy[:, 1] + dy).astype(int), 0, self.pixels - 1)
+                total += self.map[y, x] <= nearness + bias
+        return total / taps**2
+
+
+def render(positions, triangles, colours, camera, width, mesh_lines=True, obstacles=None):
+    """(h, w, 3) image in [0, 1] of a cloth and its obstacles. `colours` (T, 3) sRGB; `obstacles` (points,
+    triangles)."""
+    shape = (round(width / camera.aspect) * SUPERSAMPLE, width * SUPERSAMPLE)
+    usable = np.isfinite(positions[triangles]).all(axis=(1, 2))
+    triangles, colours = triangles[usable], colours[usable]
+    positions, cloth = np.nan_to_num(positions), len(triangles)
+    if obstacles is not None:
+        triangles = np.concatenate([triangles, obstacles[1] + len(positions)])
+        positions = np.concatenate([positions, obstacles[0]])
+        colours = np.concatenate([colours, np.tile(OBSTACLE, (len(obstacles[1]), 1))])
+    xy, nearness = camera.project(positions, shape)
+    owner, nearest = rasterise(xy, nearness, triangles, shape)
+
+    middle = camera.eye - 3.2 * camera.size * camera.axes[2]
+    shadows = _ShadowMap(positions, triangles, middle, 1.3 * camera.size)
+    # smooth, needs no supersampling
+    backdrop = _background(camera, (shape[0] // SUPERSAMPLE, width), shadows)
+    image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
+    seen = owner >= 0
+    if seen.any():
+        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines,
+                             cloth) * (1 - 0.75 * _occlusion(nearest, camera)[seen])[:, None]
+    image = np.clip(image, 0, 1) ** (1 / 2.2)
+    return image.reshape(shape[0] // SUPERSAMPLE, SUPERSAMPLE, width, SUPERSAMPLE, 3).mean(axis=(1, 3))
+
+
+def _occlusion(nearest, camera):
+    """(h, w) how much of a pixel's surroundings stands before it, from 0 to 1: folds are dark inside.
+
+    Two pixels on opposite sides, up to a thirtieth of the picture away, count by how far their middle is in
+    front, so that a plane is bright however it lies. A much nearer or farther pixel is another part of the
+    scene, and does not count.
+    """
+    depth = np.full(nearest.shape, 1e9 * camera.size)
+    depth[nearest > 0] = 1 / nearest[nearest > 0]
+    total, pairs = np.zeros(depth.shape), 0
+    for radius in (0.008, 0.018, 0.033):
+        reach = max(1, round(radius * depth.shape[0]))
+        for angle in np.arange(0, np.pi, np.pi / 4) + radius:
+            shift = np.array([round(reach * np.sin(angle)), round(reach * np.cos(angle))])
+            first, second = (depth - np.roll(depth, way * shift, axis=(0, 1)) for way in (1, -1))
+            near = (np.abs(first) < 0.15 * camera.size) & (np.abs(second) < 0.15 * camera.size)
+            total += np.where(near, np.clip((first + second) / (0.01 * camera.size), 0, 1), 0)
+            pairs += 1
+    return total / pairs
+
+
+def _background(camera, shape, shadows):
+    """A pale floor with the cloth's shadow that fades into the backdrop; linear RGB."""
+    rays = camera.rays(shape)
+    height = np.linspace(0, 1, shape[0])[:, None, None]
+    backdrop = (1 - height) * np.array([0.955, 0.965, 0.975]) + height * np.array([0.86, 0.875, 0.89])
+    image = np.broadcast_to(backdrop, (*shape, 3)).copy()
+    distance = (camera.floor - camera.eye[2]) / np.where(rays[..., 2] < -1e-6, rays[..., 2], np.inf)
+    hit = (distance > 0) & (distance < 9 * camera.size)
+    points = camera.eye + distance[hit][:, None] * rays[hit]
+    lit = shadows.light(points, bias=0.0, radius=14, taps=9)
+    fade = np.clip(1 - (distance[hit] / camera.size - 3.0) / 4.0, 0, 1)
+    image[hit] *= (1 - 0.34 * fade * (1 - lit))[:, None]
+    return image
+
+
+def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth):
+    """(n, 3) linear colours of the pixels that see a triangle. The first `cloth` triangles are cloth."""
+    rows, columns = np.nonzero(owner >= 0)
+    t = owner[rows, columns]
+    corners = triangles[t]
+    flat = _barycentric(xy[corners], np.stack([columns + 0.5, rows + 0.5], axis=1))
+    weight = flat * nearness[corners]
+    weight /= weight.sum(axis=1, keepdims=True)
+    point = np.einsum("ni,nic->nc", weight, positions[corners])
+    normal = np.einsum("ni,nic->nc", weight, vertex_normals(positions, triangles)[corners])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    towards_eye = camera.eye - point
+    towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
+    a, b, c = (positions[corners[:, i]] for i in range(3))
+    # Decides which side is seen; a smooth normal may point away near an outline
+    face = np.cross(b - a, c - a)
+    back = (face * towards_eye).sum(1) < 0
+    normal *= np.where(back, -1.0, 1.0)[:, None]
+
+    offset = point + 0.006 * camera.size * normal
+    shadow = shadows.light(offset, bias=0.004, radius=1.5, taps=4)
+    facing = normal @ LIGHT
+    direct = np.clip((facing + 0.12) / 1.12, 0, 1) * (0.25 + 0.75 * shadow)
+    through = 0.22 * np.clip(-facing, 0, 1) * (t < cloth)  # thin cloth lets some light through
+    ambient = 0.34 + 0.10 * normal[:, 2] + 0.12 * (normal * towards_eye).sum(1)
+    halfway = LIGHT + towards_eye
+    halfway /= np.linalg.norm(halfway, axis=1, keepdims=True)
+    gloss = 0.10 * shadow * np.clip((normal * halfway).sum(1), 0, 1) ** 24
+
+    base = np.asarray(colours)[t] ** 2.2
+    base = np.where((back & (t < cloth))[:, None], base * BACK, base)
+    if mesh_lines:
+        base = base * (1 - _mesh_lines(xy, triangles, t, flat) * (t < cloth))[:, None]
+    return base * (ambient + 0.78 * direct + through)[:, None] + gloss[:, None]
+
+
+def _barycentric(corners, point):
+    """(n, 3) barycentric coordinates of points (n, 2) in triangles (n, 3, 2) of the screen."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    cross = lambda u, v: u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    area = cross(b - a, c - a)
+    area = np.where(np.abs(area) < 1e-12, 1e-12, area)
+    wb, wc = cross(point - a, c - a) / area, cross(b - a, point - a) / area
+    weight = np.clip(np.stack([1 - wb - wc, wb, wc], axis=1), 0, 1)
+    return weight / np.maximum(weight.sum(axis=1, keepdims=True), 1e-12)
+
+
+def _mesh_lines(xy, triangles, t, flat):
+    """(n) how dark a mesh edge makes each pixel. Lines fade out where triangles are a few pixels large."""
+    corners = xy[triangles]
+    # Opposite to corner i
+    edges = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, 1, axis=1), axis=2)
+    a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
+    heights = area[:, None] / np.maximum(edges, 1e-9)
+    distance = (flat * heights[t]).min(axis=1) / SUPERSAMPLE  # pixels
+    strength = np.clip((np.sqrt(area[t]) / SUPERSAMPLE - 4) / 14, 0, 1)
+    return 0.30 * strength * np.clip(1.1 - distance, 0, 1)

@@ -1,0 +1,95 @@
+"""The look of figures that matplotlib draws: fonts, axes, labels of curves, files."""
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+from PIL import Image
+
+from tables.looks import INK
+
+GREY, GRID = "#6d747c", "#dfe3e7"
+
+LARGE = 290_000  # bytes; a larger picture gets a palette
+SHADES = 3  # of 255; steps between shades, which are invisible and make a file a third smaller
+STRETCH = LinearSegmentedColormap.from_list("stretch",
+                                            ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
+STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
+
+plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9,
+                     "legend.fontsize": 8.5, "xtick.labelsize": 8.5, "ytick.labelsize": 8.5,
+                     "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK, "xtick.color": GREY,
+                     "ytick.color": GREY, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+                     "axes.titlecolor": INK, "axes.spines.top": False, "axes.spines.right": False,
+                     "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "axes.axisbelow": True,
+                     "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
+                     "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",
+                     "pdf.fonttype": 42})  # texts of a PDF stay texts
+
+
+def plain_log(axes, which="y"):
+    """A logarithmic axis with ticks like 0.2, 0.5, 1 instead of powers. Call it after drawing."""
+    axis = axes.yaxis if which == "y" else axes.xaxis
+    (axes.set_yscale if which == "y" else axes.set_xscale)("log")
+    low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
+    decades = np.log10(high / low)
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,),
+                                      numticks=20))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1000
+                                           else f"{value:g}"))
+    axis.set_minor_locator(NullLocator())
+
+
+_with_pdf = False
+
+
+def print_as_pdf(wanted):
+    """Sets whether save() of this process writes every figure as PDF, too."""
+    global _with_pdf
+    _with_pdf = wanted
+
+
+def save(figure, folder, name, palette=True, dpi=None, tight=True, large=LARGE):
+    """Writes folder/name.png, after print_as_pdf(True) also name.pdf, and returns the name of the picture.
+    `tight` cuts it to what is drawn.
+
+    A picture of more than `large` bytes gets 256 colours. Smooth shading would show them as steps: with
+    `palette` false its shades are rounded to multiples of SHADES instead.
+    """
+    path = Path(folder) / f"{name}.png"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    how = dict(bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white",
+               dpi=dpi or "figure")
+    figure.savefig(path, **how, pil_kwargs={"optimize": True})
+    if _with_pdf:
+        figure.savefig(path.with_suffix(".pdf"), **how, metadata={"CreationDate": None})
+    plt.close(figure)
+    if path.stat().st_size <= large:
+        return path.name
+    with Image.open(path) as image:
+        image = image.convert("RGB")
+    if palette:
+        small = image.quantize(palette=_palette(image), dither=Image.Dither.NONE)
+        colours = small.getpalette()
+        white = 3 * small.getpixel((0, 0))
+        colours[white:white + 3] = [255, 255, 255]  # the margin stays as white as the page
+        small.putpalette(colours)
+    else:
+        small = image.point([255 - SHADES * round((255 - shade) / SHADES) for shade in range(256)] * 3)
+    small.save(path, optimize=True)
+    return path.name
+
+
+def _palette(image):
+    """256 colours for an image and for the stretch colour map, chosen from every third pixel."""
+    image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
+    strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
+    strip = strip.resize((image.width, image.height // 8))
+    both = Image.new("RGB", (image.width, image.height + strip.height))
+    both.paste(image, (0, 0))
+    both.paste(strip, (0, image.height))
+    return both.quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)

@@ -1,0 +1,153 @@
+"""Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself."""
+from dataclasses import dataclass, replace
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+from draw import cloth
+from tables.numbers import number
+from tables import looks
+from runs import obstacles
+from draw import render
+from draw import style
+from bendlab.results.load import group
+from tables.table import Table
+from runs.sweeps import load_experiment
+
+
+@dataclass(frozen=True)
+class View:
+    """Time, colour and direction of a scene's picture."""
+
+    time: float  # s
+    colour: tuple  # sRGB of the fabric
+    azimuth: float = -62.0  # degrees, of the eye
+    elevation: float = 14.0
+
+
+SCENES = {
+    "flag": View(2.0, (0.74, 0.22, 0.20), azimuth=-70, elevation=8),
+    "tablecloth": View(4.0, (0.90, 0.87, 0.80), azimuth=-60, elevation=22),
+    "sphere_drape": View(4.0, (0.28, 0.45, 0.62), azimuth=-60, elevation=20),
+    "curtain": View(3.0, (0.42, 0.55, 0.45), azimuth=-75, elevation=8),
+    "skirt": View(2.9, (0.62, 0.34, 0.48), azimuth=-60, elevation=16),
+    "folded_stack": View(1.2, (0.86, 0.66, 0.32), azimuth=-72, elevation=16),
+    "chair": View(4.0, (0.80, 0.50, 0.36), azimuth=-56, elevation=22),
+}
+LOOKS = 40  # frames at which a run's distance from its obstacles is measured
+ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
+DPI = 125  # keeps the sheet below 900 kB
+
+
+def main(results, out, section):
+    """Draws a picture of every scene with every swept model."""
+    experiments = {name: load_experiment(results, f"scenes/{name}") for name in SCENES}
+    drawn = {name: experiment for name, experiment in experiments.items() if section.uses(experiment)}
+    if drawn:
+        section.pictures.append((_sheet(drawn, out), " ".join(f"{name}: {experiment.settings['description']}"
+                                                              for name, experiment in drawn.items())))
+        section.tables.append(_table(drawn))
+
+
+def frame_at(run, time):
+    """The recorded frame nearest to a time; the last one if the run ended earlier."""
+    return int(np.argmin(np.abs(run.metrics["time"] - time)))
+
+
+def clearance(run, frames):
+    """Smallest distance of the cloth from the obstacles in these frames, negative inside; infinite without
+    obstacles. Measured at vertices and at the centres of edges and triangles."""
+    triangles = run.triangles
+    sides = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)
+    edges, least = np.unique(np.sort(sides), axis=0), np.inf
+    for frame in frames:
+        positions = run.positions(frame)
+        centres = [positions[corners].mean(axis=1) for corners in (edges, triangles)]
+        points = np.concatenate([positions, *centres])
+        least = min(least, obstacles.clearance(run, run.metrics["time"][frame], points))
+    return least
+
+
+def view_of(samples, view):
+    """The camera for the samples (run, frame) of a scene: frames cloths and obstacles."""
+    run, frame = samples[0]
+    solid = obstacles.surfaces(run, run.metrics["time"][frame])[0]
+    cloths = [run.positions(frame) for run, frame in samples]
+    middle = np.concatenate([np.median(cloths, axis=0), solid]).mean(axis=0)
+    camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth,
+                               elevation=view.elevation, aspect=ASPECT)
+    floor = obstacles.floor_of(run.config)
+    if floor is None and len(solid) and solid[:, 2].min() <= min(cloth[:, 2].min() for cloth in cloths):
+        floor = solid[:, 2].min()  # the lowest obstacle stands on the floor
+    return camera if floor is None else replace(camera, floor=floor)
+
+
+def picture(run, frame, camera, view, width=WIDTH):
+    """(h, w, 3) image of a frame and its obstacles."""
+    solid = obstacles.surfaces(run, run.metrics["time"][frame])
+    colours = np.tile(view.colour, (len(run.triangles), 1))
+    return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False,
+                         obstacles=solid)
+
+
+def _sheet(experiments, out):
+    models = list(dict.fromkeys(model for e in experiments.values() for model in e.sweep["/bending/model"]))
+    figure, axes = plt.subplots(len(experiments), len(models), squeeze=False, layout="constrained",
+                                figsize=(3.0 * len(models), 3.0 / ASPECT * len(experiments) + 0.6))
+    for row, (name, experiment) in enumerate(experiments.items()):
+        view = SCENES[name]
+        runs = {model: first for model, (first, *_) in group(experiment.runs, lambda run: run.model).items()}
+        samples = {model: (run, frame_at(run, view.time)) for model, run in runs.items()}
+        camera = view_of(list(samples.values()), view)
+        axes[row, 0].text(-0.03, 0.5, name.replace("_", " "), transform=axes[row, 0].transAxes, rotation=90,
+                          ha="right", va="center", fontsize=10.5, fontweight="bold")
+        for panel, model in zip(axes[row], models):
+            panel.set_axis_off()
+            if model not in samples:
+                panel.text(0.5, 0.5, "no run", ha="center", va="center", color=style.GREY,
+                           transform=panel.transAxes)
+                continue
+            run, frame = samples[model]
+            panel.imshow(picture(run, frame, camera, view), interpolation="lanczos")
+            cloth.stamp(panel, run, frame, cloth.RIGHT)
+            cloth.caption(panel, caption(run, frame))
+    for panel, model in zip(axes[0], models):
+        panel.set_title(looks.model_name(model), fontweight="bold")
+    figure.suptitle(title(experiments), x=0.01, ha="left", fontsize=12.5)
+    return style.save(figure, out, "fig_scenes", palette=False, dpi=DPI)
+
+
+def caption(run, frame):
+    """Stretch of a frame as text."""
+    text = f"σ₁ up to {number(run.metrics['max_stretch'][frame])}"
+    if run.status == "implausible":
+        text += ", implausible"
+    return text if run.complete else f"{run.status} at {run.metrics['time'][-1]:.1f} s"
+
+
+def title(experiments):
+    """The title: counts over all runs, and the largest stretch."""
+    runs = [(name, run) for name, experiment in experiments.items() for run in experiment.runs]
+    complete = [(name, run) for name, run in runs if run.complete]
+    if not complete:
+        return f"None of {len(runs)} runs is complete"
+    needles = sum(run.summary.get("degenerate_triangles", 0) > 0 for _, run in complete)
+    entered = sum(clearance(run, [run.frames - 1]) < 0 for _, run in complete)
+    name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
+    return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
+            f"complete\nLast frame: {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
+            f"Largest stretch, median of the last second: {number(worst.summary['max_stretch'])} "
+            f"({name.replace('_', ' ')}, {looks.model_name(worst.model)})")
+
+
+def _table(experiments):
+    rows = [{"scene": name, "model": run.model, "status": run.status, "clearance": 1e3 * clearance(
+        run, range(0, run.frames, max(1, run.frames // LOOKS))), "cpu": run.cpu_s,
+             "degenerate": run.summary.get("degenerate_triangles", 0)}
+            | {metric: run.summary.get(metric) for metric in ("mean_strain", "max_stretch", "worst_stretch")}
+            for name, experiment in experiments.items() for run in experiment.runs]
+    return Table.of("scenes", "Every run", [
+        "scene", "model", "status", ("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
+        ("worst_stretch", "worst σ₁ of all frames"), ("degenerate", "degenerate triangles", ".0f"),
+        ("clearance", f"smallest distance from an obstacle, {LOOKS} frames", ".1f", "mm"),
+        ("cpu", "processor time", ".1f", "s")], rows)

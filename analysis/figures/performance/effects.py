@@ -1,0 +1,76 @@
+"""What each effect adds to a step, per vertex, over the size of the cloth."""
+import json
+from pathlib import Path
+
+from figures.performance.overview import whole_step
+from figures.performance.rows import iterations, per_vertex, series, shown, table
+from tables.chart import Chart
+from tables.numbers import number
+
+SCHEMA = Path(__file__).resolve().parents[3] / "configs/schema.json"
+TWICE = 2
+
+
+def known_effects():
+    """Every effect of the program, as its schema lists them."""
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    return [kind["properties"]["type"]["const"] for kind in schema["properties"]["effects"]["items"]["oneOf"]]
+
+
+def by_effect(rows):
+    """Effect → its rows by size, the dearest effect first."""
+    effects = {name.removeprefix("effect/"): sizes for (name, scalar), sizes in series(rows).items()
+               if name.startswith("effect/") and scalar == "float"}
+    return dict(sorted(effects.items(), key=lambda entry: -max(map(per_vertex, entry[1]))))
+
+
+def main(bench, out, section):
+    effects = by_effect(bench["rows"])
+    section.commands = ["./bendlab bench --filter '^effect/'"]
+    section.text += " " + sizes_text(effects)
+    absent = [name for name in known_effects() if name not in effects]
+    if absent:
+        section.missing.append(f"effects: {', '.join(absent)}")
+    rows = [shown(row) | {"kind": name, "size": f"{row['vertices']:,} vertices",
+                          "step": row.get("share_of_step") and 100 * row["share_of_step"],
+                          "acted": row.get("acted_per_step"), "per_action": row.get("per_action_ns")}
+            for name, sizes in effects.items() for row in sizes]
+    section.tables.append(table("effects", "Effects", [
+        ("kind", "effect"), "vertices", ("vertex", "time per vertex and step", "", "ns"), "range",
+        ("step", "share of its scene's step", "", "%"), ("acted", "actions per step", ",.0f"),
+        ("per_action", "time per action", "", "ns")], rows))
+    step = whole_step(bench["rows"])
+    limits = [("vertex", iterations(bench["rows"]) * per_vertex(step),
+               f"a whole step with crossover springs, {step['vertices']:,} vertices")] if step else []
+    section.charts.append(Chart(
+        "effects", title(effects), "effects", "kind", ["vertex"], ["size"], scale="band", y_scale="log",
+        look="",
+        limits=limits, note="One thread, single precision. An effect acts on a vertex, a triangle or a "
+                            "contact; the table says how often in a step, and the time of an action."))
+
+
+def growth(sizes):
+    """Cost per vertex on the largest cloth over that on the smallest."""
+    return per_vertex(sizes[-1]) / per_vertex(sizes[0]) if per_vertex(sizes[0]) else float("nan")
+
+
+def sizes_text(effects):
+    """Which effects are not timed at the largest size."""
+    largest = max((row["vertices"] for sizes in effects.values() for row in sizes), default=0)
+    small = [f"{name} ({sizes[-1]['vertices']:,})" for name, sizes in effects.items()
+             if sizes[-1]["vertices"] < largest]
+    return f"Not timed at {largest:,} vertices, only at fewer: {', '.join(small)}." if small else ""
+
+
+def title(effects):
+    """For how many effects the cost per vertex grows with the cloth."""
+    known = {name: growth(sizes) for name, sizes in effects.items() if len(sizes) > 1}
+    grown = [name for name in known if known[name] > TWICE]
+    if not known:
+        return "Time of each effect for each vertex"
+    if not grown:
+        return (f"None of {len(known)} effects costs more than twice as much per vertex on the largest "
+                "cloth as on the smallest")
+    most = max(grown, key=known.get)
+    return (f"{len(grown)} of {len(known)} effects cost more than twice as much per vertex on the "
+            f"largest cloth as on the smallest, most of all {most}: {number(known[most], 2)} times")

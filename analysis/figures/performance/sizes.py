@@ -1,0 +1,36 @@
+"""What a constraint costs over the size of the cloth."""
+from figures.performance.rows import PRECISION, at, label, lacking, series, shown, table, usual
+from tables.chart import Chart
+from tables.numbers import number
+
+OVER_SIZE = ("strain", "crossover", "dense")
+
+
+def main(bench, out, section):
+    timed = series(bench["rows"])
+    section.missing = lacking(timed, OVER_SIZE)
+    section.commands = ["./bendlab bench --filter '^(strain|crossover|dense)'"]
+    rows = [shown(row) | {"kind": label(name), "code": code} for name in OVER_SIZE
+            for code, key in (("fast", name), ("oracle", f"{name}_oracle"))
+            for scalar in PRECISION for row in timed.get((key, scalar), [])]
+    section.tables.append(table("sizes", "Cost over size",
+                                ["kind", "code", "precision", "vertices", "ns", "range",
+                                 "ratio"], rows))
+    section.charts.append(Chart(
+        "sizes", title(timed), "sizes", "vertices", ["ns", "vertex"], ["kind", "code", "precision"],
+        y_scale="log",
+        look="", dashed="precision", note="The oracle is the scalar code that projects one constraint at a "
+                                          "time in list order. It is timed at one size."))
+
+
+def title(timed):
+    """How the cost grows from the usual cloth to the largest, over the constraints that are timed on both."""
+    size, rows = usual(timed), {name: timed.get((name, "float"), []) for name in OVER_SIZE}
+    largest = max((row["vertices"] for series in rows.values() for row in series), default=0)
+    grown = {label(name): series[-1]["ns_per_constraint"] / first["ns_per_constraint"]
+             for name, series in rows.items() if (first := at(timed, name, "float", size))
+             and series[-1]["vertices"] == largest > size}
+    if not grown:
+        return "Time per constraint over the size of the cloth"
+    parts = " and ".join(f"{number(times)} for {name}" for name, times in grown.items())
+    return f"Cost of a constraint on {largest:,} vertices over that on {size:,}: {parts} (single precision)"

@@ -1,0 +1,72 @@
+"""What more threads gain: one cloth on several, several runs side by side, recording beside stepping."""
+from figures.performance.rows import PRECISION, kind
+from tables.chart import Chart
+from tables.numbers import number
+from tables.table import Table
+
+
+def main(bench, out, section):
+    rows = bench["rows"]
+    steps = by_precision(rows)
+    section.commands = ["./bendlab bench --filter '^(step|recording|sweep)/'"]
+    section.text += " " + beside_text(rows)
+    if not any(len(series) > 1 for series in steps.values()):
+        section.missing.append("a step on more than one thread: step/…/threads:…")
+    section.missing += [f"{name}/…" for name in ("recording", "sweep") if not named(rows, name)]
+    if not steps:
+        return
+    section.tables.append(Table.of("threads", "A step by threads", [
+        "precision", "threads", ("vertices", "vertices", ",d"), ("ms", "time per step", "", "ms"),
+        ("gain", "times as fast as one thread")], [
+            {"precision": PRECISION[scalar], "threads": row["threads"], "vertices": row["vertices"],
+             "ms": row["step_ms"],
+             "gain": gain(series, row), "name": f"{row['threads']} thread{'s' if row['threads'] > 1 else ''}"}
+            | {f"ms_{end}": row["step_ms"] * row[f"ns_{end}est"] / row["ns_per_constraint"]
+               for end in ("low", "high")}
+            for scalar, series in steps.items() for row in series]))
+    section.charts.append(Chart(
+        "threads", title(steps), "threads", "name", ["ms", "gain"], ["precision"], scale="band",
+        y_scale="linear",
+        look="", note="A step of strain and crossover springs. One thread: processor time; several: time on "
+                      "the clock, so that other programs on the machine count."))
+
+
+def named(rows, name):
+    """The first row of a kind, None if there is none."""
+    return next((row for row in rows if kind(row) == name), None)
+
+
+def by_precision(rows):
+    """Precision → the steps by number of threads."""
+    return {scalar: sorted(steps, key=lambda row: row["threads"]) for scalar in PRECISION
+            if (steps := [row for row in rows if kind(row) == "step" and row["scalar"] == scalar])}
+
+
+def gain(steps, row):
+    """How many times as fast a step is as on one thread; NaN without a row of one thread."""
+    alone = next((other["step_ms"] for other in steps if other["threads"] == 1), float("nan"))
+    return alone / row["step_ms"]
+
+
+def beside_text(rows):
+    """What a second core gains for whole runs."""
+    sweep, recording, text = named(rows, "sweep"), named(rows, "recording"), []
+    between = lambda row, name: f"{number(row[f'{name}_lowest'])} to {number(row[f'{name}_highest'])}"
+    if sweep:
+        text.append(f"Two runs side by side are {number(sweep['speed_up'], 2)} times as fast as one "
+                    f"after the other ({between(sweep, 'speed_up')}).")
+    if recording:
+        text.append(f"Recording 30 frames a second with every metric has a thread of its own; on the clock "
+                    f"a run then takes {number(recording['wall_ratio'])} times as long as without "
+                    f"({between(recording, 'wall_ratio')}).")
+    return " ".join(text)
+
+
+def title(steps):
+    """What the most threads gain."""
+    most = max((row["threads"] for series in steps.values() for row in series), default=1)
+    gains = [f"{number(gain(series, series[-1]), 2)} times ({PRECISION[scalar]} precision)"
+             for scalar, series in steps.items() if series[-1]["threads"] == most > 1]
+    if not gains:
+        return "Time of a step on one thread"
+    return f"On {most} threads a step is {' and '.join(gains)} as fast as on one"

@@ -1,0 +1,185 @@
+"""The page of the hard cases: what is stable."""
+import json
+import string
+from collections import Counter
+
+from bendlab.results.load import group
+from figures.stability import cells, methods, pin
+from pages.project import Content, Figure, Page, summary
+from runs.stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
+                                  SECTIONS, STRAIN_CEILING, STRAIN_FLOOR)
+from tables.numbers import known_values, number
+from tables.section import write_objects
+from tables.table import Table
+from web import stability_matrix, stability_methods
+from web.html_parts import Part, address, escape, folded, picture_html, table_html
+
+UNKNOWN = "not known"
+PLAIN = "meshes: grid"  # the case with which all flaws and meshes are compared
+LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
+         "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
+METHODS = "methods.json"
+FIGURES = [Figure(cells, "The cases that tell models apart", "Cases"),
+           Figure(methods, "The same with other methods", "Methods"),
+           Figure(pin, "Is the degenerate triangle the cause?", "One pin",
+                  "A sheet of 64 × 64 cells hangs from one vertex with the published settings: ten "
+                  "iterations, k = 0.5, one step of 1/60 s. In each frame the worst triangle within "
+                  f"{pin.NEAR} rings of the pin is measured: its stretch, its shape, and how far constraints "
+                  "moved a vertex from its free flight. A triangle is degenerate if its longest edge is more "
+                  f"than {pin.NEEDLE:g} times the shortest or an angle exceeds {pin.CAP:g}°. Its strain has "
+                  f"failed above a stretch of {1 + pin.STRETCHED:g}. A correction overshoots if it is longer "
+                  "than an edge.")]
+
+
+def write_data(sections, results, out):
+    for section, file in zip(sections, ("summary.json", METHODS)):
+        if section.data:
+            write_objects(out / file, section.data)
+
+
+def content(sections, out):
+    runs, file = summary(out), out / METHODS
+    by_method = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
+    matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
+    lead = ("<p>A row per case; the cases whose verdicts differ most among models come first. Each cell has "
+            "two halves: single precision left, double precision right. A click on a cell opens its run: the "
+            f"worst number and its limit, the reason, config and command. {plain_grid(runs)}</p>")
+    verdicts = {"cells": [lead, matrix, alike], "methods": stability_methods.methods_html(by_method)}
+    groups = [part for title, cases in SECTIONS.items() if (part := section_of(title, cases, runs, out))]
+    parts = [*groups, Part("rules", "The rules", rules(), "Rules"),
+             Part("data", "As data", data_html(by_method), "Data")]
+    top = stability_matrix.groups_html(runs) + amber_html(runs) if runs else ""
+    return Content(answer(runs), top, parts, data=stability_matrix.data([*runs, *by_method]),
+                   verdicts=lambda section: verdicts.get(section.id, []))
+
+
+def amber_html(runs):
+    """A note below the first matrix: what amber says, and what it does not."""
+    note = plain_grid(runs)
+    return f"<p class='note'>{note}</p>" if note else ""
+
+
+def data_html(by_method):
+    """The links to the page's data."""
+    also = f", <a href='{METHODS}'>{METHODS}</a>: the runs with other methods" if by_method else ""
+    return f"<p><a href='summary.json'>summary.json</a>: every run{also}.</p>"
+
+
+def answer(runs):
+    """The page's answer: which models fail in the fewest hard cases, and which in the most."""
+    if not runs:
+        return "There are no runs yet."
+    compared = stability_matrix.shared(runs)
+    red = Counter(run["model"] for run in compared if run["verdict"] == RED)
+    models = {run["model"]: red[run["model"]] for run in compared}
+    of = len(compared) // len(models)
+    few, many = ([model for model in models if red[model] == pick(models.values())] for pick in (min, max))
+    listed = lambda names: ", ".join(f"<b>{escape(name)}</b>" for name in names)
+    fails = lambda names: "fails" if len(names) == 1 else "fail"
+    counts = Counter(run["verdict"] for run in runs)
+    return (f"Of the {of} hard cases and precisions that every model can have, {listed(few)} {fails(few)} in "
+            f"the fewest, {red[few[0]]}; {listed(many)} in the most, {red[many[0]]}. Of all {len(runs)} runs "
+            f"{counts[RED]} fail, {counts[AMBER]} are stable but do not recover, {counts[GREEN]} pass.")
+
+
+def rules():
+    """The rules for verdicts as HTML."""
+    return ("<p>A run is <b>red</b> if one of these holds. It ended in a value that is not a number. A "
+            f"vertex was ever {APART:g} times as far from the cloth's middle as at the start (at least "
+            f"{APART:g} sizes; a size is the diagonal of the rest shape), or at the end more than {FAR:g} "
+            f"sizes. Momentum changed where no force acts, by more than {MOMENTUM} times the random walk of "
+            "the projections' rounding errors. Where nothing drives the cloth, its total energy rose above "
+            f"the value at the start by more than {ENERGY:g} of kinetic energy, elastic energy and weight × "
+            "size. A stiffness given as k defines no elastic energy. So energy is checked only for cases "
+            "that start at rest length or are elastic, and not for prestressed springs, which push from the "
+            "start.</p><p>It is <b>amber</b> if it is stable but has not recovered. Either the mean strain "
+            f"stays above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most "
+            f"{STRAIN_CEILING:g}). Or, where the rest shape can be reached, the cloth's distance from it is "
+            f"still more than {100 * NEAR:g} % of its size (root mean square, after the best rotation and "
+            "translation) and more than twice the undisturbed run's (taken as at most "
+            f"{100 * NOT_BACK / 2:g} %). Or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain "
+            "is the median over the last second.</p>")
+
+
+def plain_grid(runs):
+    """A note if the plain grid itself is amber, with which all flaws and meshes are compared."""
+    seen = group([run for run in runs if run["case"] == PLAIN], lambda run: run["model"])
+    amber = sum(any(run["verdict"] == AMBER for run in own_runs) for own_runs in seen.values())
+    if not amber:
+        return ""
+    return ("Red means unstable, and compares models. Amber only means not recovered. Even the undisturbed "
+            f"run (the plain grid, stretched by half and released) is amber for {amber} of {len(seen)} "
+            "models, in one precision or both. So amber says nothing about the flaws and meshes that are "
+            "compared with it.")
+
+
+def section_of(title, cases, runs, out):
+    """One group of cases: their rules, runs that are not green with reasons, and pictures. None without
+    runs."""
+    here = {case.name: case for case in cases if any(run["case"] == case.name for run in runs)}
+    if not here:
+        return None
+    own = [run for run in runs if run["case"] in here]
+    of = lambda case, verdict: sum(run["case"] == case.name and run["verdict"] == verdict for run in own)
+    rows = [{"case": case.title, "config": case.config + ".json", "rule": case.rule}
+            | {verdict: of(case, verdict) for verdict in (GREEN, AMBER, RED)} for case in here.values()]
+    parts = []
+    picture = f"fig_stability_{address(title).replace('-', '_')}.png"
+    if (out / picture).exists():
+        parts.append(picture_html(picture, "For each way in which a case turns red: the last good frame of "
+                                           "its worst run. For a case without red runs: that of its worst "
+                                           "amber run. Colour is stretch. Each picture shows the whole "
+                                           "cloth; the text below states its extent (one size at rest)."))
+    failed = [run for run in own if run["verdict"] != GREEN]
+    if failed:
+        parts.append(failed_html(failed, len(stability_matrix.models_of(runs))))
+    rules_table = table_html(Table.of("rules", "",
+                                      ["case", "config", GREEN, AMBER, RED, ("rule", "green if")],
+                                      rows))
+    parts.append(folded(f"The {len(here)} cases and their rules", rules_table))
+    return Part(address(title), title, "\n".join(parts), LINKS.get(title, title))
+
+
+def failed_html(failed, models):
+    """Table of runs that are not green, one row per case, verdict and reason. A list below the table gives
+    the reasons by letter. `models`: number of models on the page."""
+    reasons = list(dict.fromkeys(run["why"] or UNKNOWN for run in failed))
+    letter = dict(zip(reasons, string.ascii_lowercase))
+    rows = []
+    by_row = group(failed, lambda run: (run["title"], run["verdict"], run["why"] or UNKNOWN))
+    for (title, verdict, why), row_runs in by_row.items():
+        numbers = group([known_values(run["worst"]) for run in row_runs],
+                        lambda worst: (worst["what"], worst["unit"]))
+        rows.append({"case": title, "verdict": verdict, "models": models_text(row_runs, models),
+                     "why": letter[why],
+                     "worst": "; ".join(range_text(worsts) for worsts in numbers.values()),
+                     "limit": "; ".join(_range([criterion["limit"] for criterion in worsts])
+                                        for worsts in numbers.values())})
+    table = table_html(Table.of("failed", "What is not green", [
+        "case", "verdict", "models", ("worst", "worst number"), ("limit", "its limit"), "why"], rows))
+    legend = "".join(f"<li>{escape(why)}</li>" for why in reasons)
+    return f"{table}<ol type='a'>{legend}</ol>"
+
+
+def models_text(runs, models):
+    """The models of these runs as text; a model with runs in one precision only is followed by it. `models`:
+    number of models on the page."""
+    precisions = group(runs, lambda run: run["model"])
+    if len(precisions) == models and all(len(own_runs) == 2 for own_runs in precisions.values()):
+        return "all"
+    return ", ".join(model + ("" if len(own_runs) == 2 else f" ({own_runs[0]['precision']})")
+                     for model, own_runs in precisions.items())
+
+
+def range_text(worst):
+    """Range of numbers with one name, as in 'mean strain 0.2 to 0.9'."""
+    unit = "" if worst[0]["unit"] == "1" else " " + worst[0]["unit"]
+    return f"{worst[0]['what']} {_range([criterion['value'] for criterion in worst])}{unit}"
+
+
+def _range(values):
+    low, high = number(min(values)), number(max(values))
+    return low if low == high else f"{low} to {high}"
+
+
+PAGE = Page("stability", "What is stable?", "./bendlab reproduce stability", FIGURES, content, write_data)

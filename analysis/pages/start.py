@@ -1,0 +1,159 @@
+"""results/index.html, the start page: which model for my mesh, and a card for every page.
+
+It reads what the other pages wrote: sections, answers, and summary.json of accuracy and stability.
+"""
+import re
+
+from bendlab.results.load import group
+from figures.stiffness.calibrated import RULES
+from pages import performance
+from pages.project import KEPT, NAMES, kept, links_html, made_of, sized, summary
+from runs import accuracy_runs
+from runs.accuracy_runs import SCENES, candidates, cheapest
+from runs.stability_cases import RED
+from tables.committed import OWN
+from tables.table import Table
+from web.html_parts import Made, Part, escape, page, table_html
+
+TITLE = "Bending models for cloth: which one, how stiff, how stable, at what cost"
+PICTURES = {"paper": "fig_5_promise.png", "stiffness": "effective.png", "accuracy": "levels.png",
+            "stability": "fig_stability_start_poses.png", "performance": "step.png"}
+QUESTIONS = {"paper": "Does the paper hold?", "stiffness": "How stiff is it really?",
+             "accuracy": "What does accuracy cost?", "stability": "What is stable?",
+             "performance": "What does the solver cost?", "plain": "Does any run go wrong without a warning?"}
+FAMILIES = {"equilateral": "equilateral triangles", "grid": "a grid of squares with diagonals",
+            "delaunay": "irregular triangles (delaunay)", "sphere": "a closed or curved surface",
+            "disc": "rings around a centre (disc)"}
+STIFF_MESHES = {"same": "grid", "alternating": "grid"}  # mesh of a strip → its family, if the names differ
+STABLE_CASES = {"grid": ("meshes: grid", "meshes: strip"), "delaunay": ("meshes: delaunay",),
+                "sphere": ("meshes: ball", "curved: flattened", "curved: mirrored", "curved: inverted",
+                           "rings_across: ball")}
+LEVELS = (0.05, 0.01)  # errors of the table
+
+
+def write(results):
+    """Writes index.html into the folder `results` from the pages below it."""
+    runs, stable = summary(results / "accuracy"), summary(results / "stability")
+    chosen = candidates(runs)
+    data = accuracy_runs.data([run for run, *_ in chosen]) if chosen else {"runs": []}
+    data |= {"charts": [], "chooser": {
+        "runs": [chooser_run(*candidate) for candidate in chosen], "scenes": list(SCENES),
+        "families": FAMILIES, "stiffness": stiffness(sections(results, "stiffness")),
+        "stability": stability(stable)}}
+    top = (f"<h1>{escape(TITLE)}</h1><p class='lead'>Measured answers, each one click from its evidence.</p>")
+    if results.name == OWN:
+        top += ("<p class='grey small'>These pages are made of your own runs. The project's are <a "
+                "href='../index.html'>the committed pages</a>.</p>")
+    parts = [Part("choose", "Which model for my mesh?", chooser_html(chosen), "Choose"),
+             Part("pages", "The pages", cards_html(results), "Pages"),
+             Part("origin", "Where the numbers are from", origin_html(results), "Origin")]
+    made = Made("", "", "", "python3 analysis/page.py PAGE")
+    text = page("bendlab: which model for my mesh?", top, parts, made, data, places=links_html("", results),
+                player=False)
+    (results / "index.html").write_text(sized(text, results), encoding="utf-8")
+
+
+def sections(results, name):
+    """The sections that a page keeps; [] if there is no page."""
+    return kept(results / name) if (results / name / KEPT).exists() else []
+
+
+# --- the chooser -------------------------------------------------------------------------------------------
+
+def chooser_run(run, scene, error, against):
+    """The data of a run that the chooser reads, besides its config and command."""
+    solver = run["settings"]
+    return {"id": run["id"], "model": run["model"], "method": solver["method"], "cells": run["cells"],
+            "scene": list(SCENES).index(scene),
+            "family": accuracy_runs.config_at(run)["mesh"].get("generator", "grid"),
+            "against": against, "ms": run["ms_per_frame"], "error": 100 * run[f"{error}_rms"],
+            "unknown": 100 * (run.get(f"{error}_reference_gap") or 0), "substeps": solver["substeps"],
+            "iterations": solver["iterations"], "precision": solver.get("precision", "double"),
+            "paper": run["stiffness"] == "k" and run["model"] != "none"}
+
+
+def stiffness(sections_):
+    """Family → model → the factor by which its stated stiffness changes with the resolution."""
+    factors = {}
+    for row in (row for section in sections_ for row in section.table("summary")):
+        family = STIFF_MESHES.get(row["family"], row["family"])
+        if row["rule"] == RULES[0] and "," not in row["name"]:
+            own = factors.setdefault(family, {})
+            own[row["name"]] = max(row["ratio"], own.get(row["name"], 0))
+    return factors
+
+
+def stability(runs):
+    """Family of meshes → model → [number of red runs, number of runs]; the family "" has all cases."""
+    counts = {}
+    for family, cases in {"": None, **STABLE_CASES}.items():
+        own = [run for run in runs if cases is None or run["case"] in cases]
+        for model, series in group(own, lambda run: run["model"]).items():
+            red = sum(run["verdict"] == RED for run in series)
+            counts.setdefault(family, {})[model] = [red, len(series)]
+    return counts
+
+
+def chooser_html(chosen):
+    """The element of the chooser, and a table of its answers for print and browsers without scripts."""
+    rows = []
+    for scene in SCENES:
+        for level in LEVELS:
+            best, error = cheapest(chosen, scene, level), SCENES[scene][1]
+            rows.append({"scene": scene, "level": f"{100 * level:g} %", "against": SCENES[scene][2]} | (
+                {"model": best["model"], "method": best["settings"]["method"], "cells": best["cells"],
+                 "work": accuracy_runs.work(best), "error": 100 * best[f"{error}_rms"],
+                 "ms": best["ms_per_frame"]}
+                if best else {"model": "none of the measured runs", "method": "", "work": ""}))
+    table = table_html(Table.of("cheapest", "The cheapest measured run within an error, on any cells", [
+        ("scene", "a cloth that"), ("level", "error at most"), ("against", "error from"), "model", "method",
+        "cells", ("work", "substeps × iterations"), ("error", "error", "", "%"),
+        ("ms", "time per frame", "", "ms")], rows)) if chosen else "<p>There are no accuracy runs yet.</p>"
+    return ("<p>Say what your cloth is like; the answer is the measured run that fits best, with its config. "
+            "All numbers are read from the runs behind these pages.</p><div "
+            "id='chooser'></div><details><summary>The same as a table</summary>" + table + "</details>")
+
+
+# --- cards -------------------------------------------------------------------------------------------------
+
+def cards_html(results):
+    """A card for every page that exists: a picture, and the page's answer in one sentence."""
+    cards = ""
+    for name, question in QUESTIONS.items():
+        answer = answer_of(results / name / "index.html")
+        if answer is None:
+            continue
+        picture = f"{name}/{PICTURES.get(name, 'none')}"
+        image = (f"<img src='{picture}' alt='' loading='lazy'>" if (results / picture).exists() else "")
+        cards += (f"<li class='card'><a href='{name}/index.html'>{image}<h3>{escape(question)}</h3></a>"
+                  f"<p>{answer}</p><p class='grey small'>{escape(NAMES[name])}</p></li>")
+    return f"<ul class='card-list'>{cards}</ul>" if cards else "<p>There are no pages yet.</p>"
+
+
+def answer_of(file):
+    """The answer on top of a page as HTML without links; None if there is no page."""
+    if not file.exists():
+        return None
+    match = re.search(r"<p class='answer'>(.*?)</p>", file.read_text(encoding="utf-8"), re.DOTALL)
+    return re.sub(r"</?a\b[^>]*>", "", match[1]) if match else ""
+
+
+def origin_html(results):
+    """Commit, date and machine of every page."""
+    rows = []
+    for name, text in NAMES.items():
+        made = origin_of_page(results, name)
+        if made:
+            rows.append({"page": text, "commit": made.commit, "date": made.date, "machine": made.machine,
+                         "command": made.command})
+    return table_html(Table.of("origin", "", ["page", "commit", "date", "machine", ("command", "made by")],
+                               rows))
+
+
+def origin_of_page(results, name):
+    """Commit, date and machine of a page (Made); None if it keeps neither."""
+    measured = results / name / "bench.json"
+    if measured.exists():
+        return performance.made_by(performance.read(measured)["context"])
+    kept_sections = sections(results, name)
+    return made_of(kept_sections, f"./bendlab reproduce {name}") if kept_sections else None

@@ -1,0 +1,194 @@
+"""Reads runs as sweeps, from a sweep file, a folder of results, a run's folder, or a run file.
+
+The axes of a sweep come from the file that `bendlab run` wrote, else from the places that the runs state.
+"""
+import json
+import sys
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from bendlab.results import registry
+from bendlab.results.load import Indices, Run, group, load_run
+from bendlab.results.meanings import Meanings
+from runs.sweeps import file_in, point_key, settings_at
+
+
+@dataclass
+class Sweep:
+    """Runs that belong together, including the missing runs."""
+
+    name: str
+    source: Path  # what it was read from
+    runs: list  # with the status "missing" if there is no file, "unreadable" if it is damaged
+    axes: dict = field(default_factory=dict)  # JSON pointer → values
+    settings: dict = field(default_factory=dict)  # the config as written, {} if it is not known
+    config: str = ""  # path of the config, "" if it is not known
+    overrides: list = field(default_factory=list)  # what `--set` and `--sweep` changed in it
+    notes: list = field(default_factory=list)  # sentences on what was left out
+    files: dict = field(default_factory=dict)  # run id → its file, if a copy of it was read
+
+    @cached_property
+    def meanings(self):
+        """Units and meanings of its numbers and settings."""
+        return Meanings(self.runs)
+
+    @property
+    def description(self):
+        return self.settings.get("description", "")
+
+    def file_of(self, run):
+        """The run's file as commands name it."""
+        return self.files.get(run.id, run.file)
+
+
+def collect(paths):
+    """The sweeps of these paths, each run once. ValueError names a path without runs."""
+    sweeps = [sweep for path in paths for sweep in _at(Path(path))]
+    seen = set()
+    for sweep in sweeps:  # a trial may share runs with its config
+        own = [run for run in sweep.runs if run.id not in seen]
+        if len(own) < len(sweep.runs) and own:
+            sweep.runs = own
+        seen |= {run.id for run in sweep.runs}
+    return sweeps
+
+
+def _at(path):
+    if path.is_file():
+        return [_of_file(path)] if path.name.endswith(".sweep.json") else [_of_runs(path, [_read(path)])]
+    indices = Indices(path)
+    files = sorted(path.glob("*.sweep.json"))
+    if files:
+        sweeps = [_of_file(file, indices) for file in files]
+        _note_unlisted(path, sweeps)
+        indices.write()
+        return sweeps
+    runs = [_read(file, indices) for file in _run_files(path)]
+    indices.write()
+    if not runs:
+        raise ValueError(f"there are no runs in {path}")
+    return [_of_runs(path, same_name) for same_name in group(runs, lambda run: run.name).values()]
+
+
+def _run_files(folder):
+    """One file of every run below the folder: the finished file, else the newest unfinished file. Reference
+    runs are left out, unless `folder` is a folder of references."""
+    folders = {file.parent for file in sorted(folder.glob("**/run.vtkhdf*"))
+               if file.suffix in (".vtkhdf", ".part")
+               and "references" not in file.relative_to(folder).parts[:-1]}
+    return [file_in(below) for below in sorted(folders)]
+
+
+def _of_file(file, indices=None):
+    """The sweep of a sweep file."""
+    indices = indices or Indices(file.parent)
+    data = json.loads(file.read_text(encoding="utf-8"))
+    registry.learn(data["models"], data.get("methods", {}))
+    sweep = Sweep(data["experiment"], file, [], data["axes"],
+                  data["settings"] | {"expect": data.get("expect", [])}, data["config"], data["overrides"])
+    for number, entry in enumerate(data["runs"]):
+        path = file_in(file.parent / entry["folder"]) if entry["folder"] else None
+        run = _read(path, indices) if path and path.exists() else None
+        if run and run.status != "unreadable" and run.id != entry["id"]:
+            sweep.notes.append(f"{path} is left out: it is the file of another run, {run.id}")
+            run = None
+        if run is None or run.status == "unreadable" or not run.frames:
+            lost = run
+            run = Run(file=None, id=entry["id"] or f"missing-{number}", name=sweep.name, status="missing",
+                      config=settings_at(sweep.settings, entry["point"]), summary={}, metrics={"time": []})
+            if lost is not None and lost.status == "unreadable":
+                run.status, run.provenance = lost.status, lost.provenance
+        run.point = entry["point"]
+        sweep.runs.append(run)
+    return sweep
+
+
+def _read(path, indices=None):
+    """The run of a file; one of the status "unreadable" if it is damaged."""
+    try:
+        return indices.run(str(path)) if indices else load_run(path)
+    except (OSError, KeyError, ValueError) as error:
+        return Run(file=None, id=f"unreadable-{path.parent.name}", name=path.parent.parent.name,
+                   status="unreadable", config={}, summary={}, metrics={"time": []},
+                   provenance={"problem": str(error)})
+
+
+def _of_runs(source, runs):
+    """The sweep of runs without a sweep file. Its axes are those of the places that the runs state, or the
+    fewest settings that tell the runs apart."""
+    if len(runs) > 1 and not any(run.point for run in runs):
+        _find_places(runs)
+    axes = {}
+    for run in runs:
+        for pointer, value in run.point.items():
+            values = axes.setdefault(pointer, {})
+            values.setdefault(point_key({pointer: value}), value)
+    axes = {pointer: _in_order(list(values.values())) for pointer, values in axes.items()}
+    return Sweep(runs[0].name, source, runs, axes)
+
+
+FIRST = ["/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps", "/solver/iterations",
+         "/solver/dt"]
+
+
+def _find_places(runs):
+    """Gives runs that do not state their places a place: the settings that tell the runs apart, the usual
+    settings first. A setting that follows from the settings before it is left out."""
+    flat = {run.id: flattened(run.config) for run in runs if run.config}
+    texts = {pointer: {id: json.dumps(config.get(pointer)) for id, config in flat.items()}
+             for pointer in dict.fromkeys(pointer for config in flat.values() for pointer in config)}
+    rank = lambda pointer: (FIRST.index(pointer) if pointer in FIRST else len(FIRST),
+                            pointer.endswith("/seed"), pointer)
+    groups = {id: () for id in flat}  # id → values of the axes so far
+    for pointer in sorted((p for p, values in texts.items() if len(set(values.values())) > 1), key=rank):
+        finer = {id: (*known, texts[pointer][id]) for id, known in groups.items()}
+        if len(set(finer.values())) == len(set(groups.values())):
+            continue
+        groups = finer
+        for run in runs:
+            if pointer in flat.get(run.id, {}):
+                run.point[pointer] = flat[run.id][pointer]
+
+
+def flattened(value, pointer=""):
+    """Pointer → value of everything in nested objects and lists; lists of numbers and texts stay whole."""
+    if isinstance(value, dict) and value:
+        return {key: entry for name, below in value.items()
+                for key, entry in flattened(below, f"{pointer}/{name}").items()}
+    if isinstance(value, list) and any(isinstance(entry, (dict, list)) for entry in value):
+        return {key: entry for i, below in enumerate(value)
+                for key, entry in flattened(below, f"{pointer}/{i}").items()}
+    return {pointer: value}
+
+
+def stated(settings, point):
+    """Pointer → value of a config as it is written, at a place on its sweep."""
+    whole = settings_at(settings, point)
+    return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
+
+
+def differing(base, own):
+    """Pointer → [value] where a config differs from a base; → None where the config lacks the setting."""
+    changed = {pointer: [value] for pointer, value in own.items()
+               if pointer not in base or json.dumps(base[pointer]) != json.dumps(value)}
+    return changed | {pointer: None for pointer in base if pointer not in own}
+
+
+def _in_order(values):
+    numbers = all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in values)
+    return sorted(values) if numbers else values
+
+
+def _note_unlisted(folder, sweeps):
+    """Adds a note on how many runs of a folder belong to none of its sweep files."""
+    known = {run.file.parent for sweep in sweeps for run in sweep.runs if run.file}
+    unlisted = [file for file in _run_files(folder) if file.parent not in known]
+    if unlisted and sweeps:
+        count = "1 run" if len(unlisted) == 1 else f"{len(unlisted)} runs"
+        sweeps[0].notes.append(f"Left out of {folder}: {count} that no sweep file there lists, such as "
+                               f"{unlisted[0].parent.name}")
+
+
+def tell(text):
+    print(f"bendlab: {text}", file=sys.stderr, flush=True)

@@ -1,0 +1,88 @@
+"""Distances between cloths with the same vertices, (V, 3) in m, and between groups of runs."""
+from functools import lru_cache
+
+import numpy as np
+
+from bendlab.results.load import load_run, spread
+
+BLOCK = 128  # vertices measured at once
+
+
+def rms_distance(a, b):
+    """Root mean square distance between corresponding vertices, in m."""
+    return float(np.sqrt(((a - b) ** 2).sum(axis=1).mean()))
+
+
+def hausdorff_distance(a, b):
+    """Largest distance from a vertex of either cloth to the nearest vertex of the other, in m. Exact for the
+    two sets of vertices; for the surfaces it is at most half a longest edge too large."""
+    return max(_farthest(a, b), _farthest(b, a))
+
+
+def _farthest(a, b):
+    """Largest distance of a vertex of a to b. A few vertices of b give an upper bound for each vertex of a.
+    Vertices are then measured exactly, largest bound first, until no bound exceeds the largest distance."""
+    bound = np.concatenate([_nearest(a[i:i + BLOCK], b[::16]) for i in range(0, len(a), BLOCK)])
+    order = np.argsort(-bound)
+    farthest = 0.0
+    for start in range(0, len(a), BLOCK):
+        block = order[start:start + BLOCK]
+        if bound[block[0]] <= farthest:
+            break
+        farthest = max(farthest, _nearest(a[block], b).max())
+    return float(farthest)
+
+
+def _nearest(points, targets):
+    """(n) distance from each point to the nearest target."""
+    squared = sum((points[:, None, axis] - targets[None, :, axis]) ** 2 for axis in range(3))
+    return np.sqrt(squared.min(axis=1))
+
+
+def turned_onto(a, b, centre):
+    """`a`, turned about the vertical through `centre` so that it lies nearest to `b` (least squares)."""
+    p, q = (a - centre)[:, :2], (b - centre)[:, :2]
+    angle = np.arctan2((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum(), (p * q).sum())
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    result = a.copy()
+    result[:, :2] = p @ turn + centre[:2]
+    return result
+
+
+def at_rest(run, other, where=slice(None)):
+    """RMS distance of two runs' last frames in sizes of the sheet, the first turned about the vertical
+    through its pins: how a sheet happens to face is not its shape. `where`: the vertices that count."""
+    a, b = run.positions(-1), other.positions(-1)
+    seeds = run.pin_seeds
+    centre = a[seeds].mean(axis=0) if len(seeds) else a.mean(axis=0)
+    return rms_distance(turned_onto(a, b, centre)[where], b[where]) / run.size
+
+
+def in_first_second(run, other, where=slice(None)):
+    """Mean over the frames of the first second of the RMS distance at equal times, in sizes of the sheet."""
+    frames = [f for f, t in enumerate(run.metrics["time"]) if 0 < t <= 1 + 1e-9]
+    return float(np.mean([rms_distance(run.positions(f)[where], other.positions(f)[where])
+                          for f in frames])) / run.size
+
+
+def between_runs(runs, other_runs):
+    """(RMS, Hausdorff) spreads in sizes of the sheet, over all pairs of a run of each group that have
+    different seeds.
+
+    RMS is the median over the last second, Hausdorff is of the last frame. Given the same group twice, the
+    result is the distance between two runs of one scene: the yardstick for chaotic sheets.
+    """
+    rms, hausdorff = [], []
+    for i, a in enumerate(runs):
+        for b in other_runs[i + 1:] if runs is other_runs else other_runs:
+            if a.get("/initial/seed") != b.get("/initial/seed"):
+                first, second = _last_second(a.file), _last_second(b.file)
+                rms.append(np.median([rms_distance(p, q) for p, q in zip(first, second)]) / a.size)
+                hausdorff.append(hausdorff_distance(first[-1], second[-1]) / a.size)
+    return spread(rms), spread(hausdorff)
+
+
+@lru_cache(maxsize=64)
+def _last_second(file):
+    run = load_run(file)
+    return [run.positions(frame) for frame in run.last_second()]

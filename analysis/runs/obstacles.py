@@ -1,0 +1,149 @@
+"""Obstacles of a scene: surfaces as triangles, and the distance of cloth from them. Lengths in m."""
+import numpy as np
+
+
+def surfaces(run, time):
+    """(P, 3) points and (T, 3) triangles of all obstacles of a run at a time in s. Level planes are left out:
+    they are the floor (floor_of)."""
+    points, triangles = [np.empty((0, 3))], [np.empty((0, 3), int)]
+    for at_start, corners, velocity in drawn(run).values():
+        triangles.append(corners + sum(map(len, points)))
+        points.append(at_start + time * velocity)
+    return np.concatenate(points), np.concatenate(triangles)
+
+
+def drawn(run):
+    """run.obstacles without level planes."""
+    effects = run.get("/effects", [])
+    return {index: surface for index, surface in run.obstacles.items() if not _level(effects[index])}
+
+
+def are_unknown(run):
+    """Whether a run has obstacles that its file lacks, because an older program wrote it."""
+    return not run.obstacles and any({"velocity", "thickness"} <= effect.keys() and not _level(effect)
+                                     for effect in run.get("/effects", []))
+
+
+def clearance(run, time, points):
+    """Smallest distance of points (n, 3) from a run's obstacles at a time in s; negative inside, inf without
+    obstacles. An open mesh has no inside."""
+    least = np.inf
+    for index, effect in enumerate(run.get("/effects", [])):
+        if effect["type"] in DISTANCES:
+            moved = points - time * np.array(effect["velocity"], float)
+            least = min(least, DISTANCES[effect["type"]](effect, moved).min())
+        elif index in run.obstacles:
+            at_start, corners, velocity = run.obstacles[index]
+            least = min(least, _off_mesh(points - time * velocity, at_start, corners))
+    return float(least)
+
+
+def _vector(effect, name):
+    return np.array(effect[name], float)
+
+
+def _off_plane(effect, points):
+    normal = _vector(effect, "normal")
+    return (points - _vector(effect, "point")) @ normal / np.linalg.norm(normal)
+
+
+def _off_disc(effect, points):
+    axis = _vector(effect, "axis")
+    axis /= np.linalg.norm(axis)
+    relative = points - _vector(effect, "centre")
+    up = relative @ axis
+    outward = np.linalg.norm(relative - up[:, None] * axis,
+                             axis=1) - (effect["radius"] - effect["height"] / 2)
+    return np.hypot(np.maximum(outward, 0), up) - effect["height"] / 2
+
+
+def _off_segment(effect, points, a, b):
+    along = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-300), 0, 1)
+    return np.linalg.norm(points - a - along[:, None] * (b - a), axis=1) - effect["radius"]
+
+
+def _off_sphere(effect, points):
+    centre = _vector(effect, "centre")
+    return _off_segment(effect, points, centre, centre)
+
+
+def _off_capsule(effect, points):
+    return _off_segment(effect, points, _vector(effect, "a"), _vector(effect, "b"))
+
+
+# Shapes whose distance has a formula. The distance of other obstacles is measured from their surface.
+DISTANCES = {"plane": _off_plane, "sphere": _off_sphere, "capsule": _off_capsule, "disc": _off_disc}
+
+
+def _off_mesh(points, corners, triangles):
+    """Smallest distance of points (n, 3) from a mesh; minus the depth of the deepest if inside."""
+    points, faces = points[np.argsort(points[:, 0])], corners[triangles]
+    within = points[_within(points, faces)] if _is_closed(triangles) else points[:0]
+    if len(within):
+        return -np.min([_from_triangle(within, face) for face in faces], axis=0).max()
+    least = np.inf
+    for face in faces:  # points farther than the nearest so far are skipped
+        near = _in_box(points, face.min(axis=0) - least, face.max(axis=0) + least)
+        if len(near):
+            least = min(least, _from_triangle(points[near], face).min())
+    return np.float64(least)
+
+
+def _in_box(points, low, high):
+    """Indices of points (n, 3) in a box; the points are sorted by x."""
+    first, last = np.searchsorted(points[:, 0], (low[0], high[0]))
+    y, z = points[first:last, 1], points[first:last, 2]
+    return first + np.flatnonzero((y >= low[1]) & (y <= high[1]) & (z >= low[2]) & (z <= high[2]))
+
+
+def _is_closed(triangles):
+    """Whether each edge has two triangles."""
+    edges = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    return bool((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())
+
+
+def _from_triangle(points, corners):
+    """(n) distances of points (n, 3) from a triangle (3, 3)."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    normal = np.cross(sides[0], sides[1])
+    relative = points[:, None] - corners
+    over = (np.einsum("nij,ij->ni", relative, np.cross(sides, normal)) < 0).all(axis=1)
+    along = np.clip(np.einsum("nij,ij->ni", relative, sides) / np.maximum((sides**2).sum(axis=1), 1e-300), 0,
+                    1)
+    beside = np.linalg.norm(relative - along[..., None] * sides, axis=2).min(axis=1)
+    return np.where(over, np.abs(relative[:, 0] @ normal) / max(np.linalg.norm(normal), 1e-300), beside)
+
+
+def _within(points, faces):
+    """Which points (n, 3), sorted by x, are inside a closed surface: those whose ray upwards crosses it an
+    odd number of times."""
+    odd, bottom = np.zeros(len(points), bool), faces[..., 2].min()
+    for face in faces:
+        (left, front, _), (right, back, top) = face.min(axis=0), face.max(axis=0)
+        below = _in_box(points, (left, front, bottom), (right, back, top))
+        if len(below):
+            odd[below] ^= _passes(points[below], face)
+    return odd
+
+
+def _passes(points, face):
+    """Whether rays upwards from points (n, 3) meet a triangle; of two triangles at an edge exactly one is
+    met."""
+    x, y, _ = points.T
+    normal = np.cross(face[1] - face[0], face[2] - face[0])
+    over = np.zeros(len(points), bool)
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        # Sorted, so that both triangles of an edge compute the same numbers
+        (ax, ay), (bx, by) = sorted([tuple(face[a, :2]), tuple(face[b, :2])])
+        if ay != by:
+            over ^= ((ay > y) != (by > y)) & (x < ax + (y - ay) * (bx - ax) / (by - ay))
+    return over & ((face[0] - points) @ normal * normal[2] > 0)
+
+
+def floor_of(config):
+    """Height of the highest level plane, None if there is none."""
+    return max((effect["point"][2] for effect in config.get("effects", []) if _level(effect)), default=None)
+
+
+def _level(effect):
+    return effect["type"] == "plane" and not np.any(effect["normal"][:2]) and effect["normal"][2] > 0

@@ -1,0 +1,323 @@
+"""The plain matrix: its varied settings, and bounds that any correct cloth keeps in each of its scenes.
+
+The bounds are checked here on the recorded frames. The program's own verdict is not used, because the bounds
+test it: a run that breaks a bound without a warning is wrong in silence. Lengths are in sizes (diagonal of
+the rest box).
+"""
+import json
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from bendlab.results import registry
+from bendlab.results.load import method_name
+
+FOLDER = "plain"  # below configs/
+CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
+TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
+
+SOUND, TOLD, SILENT, ALARM = "sound", "told", "silent", "false alarm"
+
+FALL = 1e-3  # share of the distance that a cloth without pins falls
+# Strain. Woven cloth yields by about a tenth before it resists (Provot 1995); cloth in this matrix is stated
+# not to stretch
+WAY = 0.1
+NEAR = 0.02  # sizes; allowed in addition to WAY, for the few triangles at a pin
+MEAN_STRAIN = 0.1  # the same as WAY
+STRETCH = 3.0  # of one triangle; at a single pinned vertex the paper's scene briefly has 2.2
+# Times v0 + g t, 16 times the energy of a free fall. The end of a whipping cloth is faster than a free fall:
+# 3.1 for a sheet 4 m long that hangs from its top edge (symmetric sweep, mean strain 4e-4).
+SPEED = 4.0
+# Share of the scale (kinetic energy at the start, plus weight times size); forward sweeps add a little
+# (design.md)
+ENERGY = 0.02
+# Share of the duration; the last step may end beside it, a run that diverges stops much earlier
+UNFINISHED = 0.05
+ROUNDING = 1e-6  # sizes; rounding error of a coordinate in single precision, some sizes from the middle
+
+
+@dataclass(frozen=True)
+class Bound:
+    """A number of a run and its upper limit."""
+
+    name: str
+    value: float
+    limit: float
+    unit: str
+
+    @property
+    def holds(self):
+        return self.value <= self.limit  # NaN fails
+
+    @property
+    def excess(self):
+        return self.value / self.limit if np.isfinite(self.value) else np.inf
+
+    def as_json(self):
+        return {"what": self.name, "value": self.value, "limit": self.limit, "unit": self.unit}
+
+
+@dataclass
+class Judged:
+    """One run with its bounds and the program's warning."""
+
+    config: str
+    run: object
+    settings: dict  # axis → value, both as text for a page
+    bounds: list
+    told: str  # the program's status or warnings; "" for none
+    command: str
+    notes: list = field(default_factory=list)
+
+    @property
+    def broken(self):
+        return sorted((bound for bound in self.bounds if not bound.holds), key=lambda bound: -bound.excess)
+
+    @property
+    def worst(self):
+        return max(self.bounds, key=lambda bound: bound.excess)
+
+    @property
+    def verdict(self):
+        if self.broken:
+            return TOLD if self.told else SILENT
+        return ALARM if self.run.status in ("implausible", "diverged") else SOUND
+
+    def as_json(self):
+        return {"config": self.config, "settings": self.settings, "verdict": self.verdict,
+                "status": self.run.status, "worst": self.worst.as_json(),
+                "broken": [bound.name for bound in self.broken], "told": self.told, "seconds": self.run.cpu_s,
+                "command": self.command}
+
+
+# The axes: a name, and the text of a value from a resolved config.
+
+def _mesh(config):
+    mesh = config["mesh"]
+    kind = mesh["generator"]
+    which = {"grid": "diagonal", "equilateral": "rows"}.get(kind)
+    return f"{kind}, {mesh[which]}" if which else kind
+
+
+def _pins(config):
+    names = config["pins"]["vertices"]
+    if len(names) > 1:
+        return "corners"
+    return {"": "none", "upper_right": "a corner", "top": "an edge"}.get("".join(names), "".join(names))
+
+
+def _bending(config):
+    """Stiffness in metres. A scale s multiplies compliances of springs by s⁻² and of hinges by s⁻⁴
+    (configs/plain)."""
+    bending, scale = config["bending"], config["mesh"]["scale"]
+    if bending["stiffness"] == "physical":
+        return f"physical {bending['flexural_rigidity'] / scale ** 4:g}"
+    if bending["stiffness"] == "compliance":
+        springs = bending["compliance"] * scale ** 2
+        return f"compliance {springs if springs < 1 else bending['compliance'] * scale ** 4:g}"
+    return f"{bending['stiffness']} {bending['k']:g}"
+
+
+def _start(config):
+    initial = config["initial"]
+    if any(initial["spin"]):
+        return "turning"
+    return {0: "flat", 90: "hanging, pushed",
+            30: "tilted, thrown"}.get(initial["tilt"], f"tilt {initial['tilt']:g}")
+
+
+NOT_READ = "not read"  # an unread setting: the method of the run has no use for it, and its config lacks it
+
+AXES = {
+    "method": lambda config: method_name(config["solver"]),
+    "mesh": _mesh,
+    "cells": lambda config: int(config["mesh"]["cells"]),
+    "height / width": lambda config: f"{config['mesh']['height'] / config['mesh']['width']:g}",
+    "pins": _pins,
+    "rings pinned": lambda config: int(config["pins"]["ring"]),
+    "model": lambda config: config["bending"]["model"],
+    "bending": _bending,
+    "strain form": lambda config: config["material"]["strain"]["form"],
+    "strain stiffness": lambda config: config["material"]["strain"]["stiffness"],
+    "start": _start,
+    "substeps × iterations": lambda config: f"{config['solver']['substeps']:g} × "
+    f"{config['solver']['iterations']:g}",
+    "order": lambda config: config["solver"].get("order", NOT_READ),
+    "sweep": lambda config: config["solver"].get("sweep", NOT_READ),
+    # newton and vbd always use double
+    "precision": lambda config: config["solver"].get("precision", "double"),
+    "units": lambda config: "m" if config["mesh"]["scale"] == 1 else "mm",
+}
+
+
+def settings_of(config):
+    return {name: read(config) for name, read in AXES.items()}
+
+
+def command_of(config_name, point):
+    """The command that repeats the run at a point of a sweep."""
+    parts = [
+        f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
+        for pointer, value in point.items()]
+    return " ".join([f"./bendlab run configs/{config_name}.json", *(f"--set {part}" for part in parts)])
+
+
+# The bounds.
+
+class Scene:
+    """Data of a run that the bounds need: frames (F, V, 3), rest shape and loads. Lengths in m."""
+
+    def __init__(self, run):
+        self.run = run
+        self.frames, self.time = run.trajectory(), np.asarray(run.metrics["time"], float)
+        self.rest, self.triangles = run.rest_positions, run.triangles
+        self.pins = np.flatnonzero(run.pinned)
+        self.size = float(np.linalg.norm(np.ptp(self.rest, axis=0)))
+        gravity = [effect["acceleration"] for effect in run.config["effects"] if effect["type"] == "gravity"]
+        self.gravity = np.array(gravity[0], float) if gravity else np.zeros(3)
+        self.h = run.get("/solver/dt") / run.get("/solver/substeps")
+        self.second_order = run.get("/solver/integrator") == "bdf2"
+        self.mass = self._masses()
+        self.velocity = self._velocities()
+
+    def _masses(self):
+        """(V) share of the mass at every vertex: a third of the area of its triangles."""
+        a, b, c = (self.rest[self.triangles[:, i]] for i in range(3))
+        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        mass = np.bincount(self.triangles.ravel(), np.repeat(area / 3, 3), len(self.rest))
+        return mass / mass.sum()
+
+    def _velocities(self):
+        """(V, 3) velocities at the start; 0 for pinned vertices."""
+        start = self.frames[0]
+        middle = (self.rest.min(axis=0) + self.rest.max(axis=0)) / 2
+        velocity = np.array(self.run.get("/initial/velocity"),
+                            float) + np.cross(self.run.get("/initial/spin"), start - middle)
+        velocity[self.pins] = 0
+        return velocity
+
+
+def bounds_of(run):
+    """Every bound of a run, from its recorded frames."""
+    scene = Scene(run)
+    if not np.isfinite(scene.frames).all():
+        return [Bound("coordinates that are not numbers", float((~np.isfinite(scene.frames)).sum()), 0.5,
+                      "1")]
+    strain, stretch = strains(scene)
+    bounds = [Bound("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED,
+                    "of the run"),
+              Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
+    if not registry.is_prestressed(run.model) and len(scene.time) > 1:  # they push from the start
+        bounds += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"),
+                   Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
+    if len(scene.pins):
+        moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins],
+                               axis=2).max() / scene.size
+        bounds += [Bound("movement of a pin", moved, ROUNDING, "sizes"),
+                   Bound("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
+    else:
+        bounds.append(Bound("distance from free fall", fall_error(scene), FALL, "of the fall"))
+    return bounds
+
+
+def strains(scene):
+    """(mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁); each is the maximum over all frames."""
+    corners = scene.rest[scene.triangles]
+    edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)  # (T, 3, 2)
+    x = edges[:, :, 0] / np.linalg.norm(edges[:, :, 0], axis=1)[:, None]
+    normal = np.cross(edges[:, :, 0], edges[:, :, 1])
+    y = np.cross(normal / np.linalg.norm(normal, axis=1)[:, None], x)
+    flat = np.einsum("tij,tjk->tik", np.stack([x, y], axis=1), edges)
+    inverse = np.linalg.inv(flat)
+    worst, largest = 0.0, 0.0
+    for frame in scene.frames:
+        now = frame[scene.triangles]
+        gradient = np.stack([now[:, 1] - now[:, 0], now[:, 2] - now[:, 0]], axis=2) @ inverse
+        square = np.einsum("tki,tkj->tij", gradient, gradient)
+        mean, off = (square[:, 0, 0] + square[:, 1, 1]) / 2, np.hypot((square[:, 0, 0] - square[:, 1, 1]) / 2,
+                                                                      square[:, 0, 1])
+        high, low = np.sqrt(mean + off), np.sqrt(np.maximum(mean - off, 0))
+        worst = max(worst, float(np.maximum(abs(high - 1), abs(low - 1)).mean()))
+        largest = max(largest, float(high.max()))
+    return worst, largest
+
+
+def speed(scene):
+    """Largest mean speed between two frames, over the largest speed at the start plus g t."""
+    steps = np.linalg.norm(np.diff(scene.frames, axis=0), axis=2).max(axis=1) / np.diff(scene.time)
+    start = np.linalg.norm(scene.velocity, axis=1).max()
+    return float((steps / (start + np.linalg.norm(scene.gravity) * scene.time[1:])).max())
+
+
+def energy_gain(scene):
+    """Rise of kinetic energy and energy of weight above the start, over the scale.
+
+    It is a lower bound of the rise of all energy: speeds between frames are means, and elastic energy is 0 at
+    the start and positive later.
+    """
+    weight = np.linalg.norm(scene.gravity)
+    height = -(scene.frames @ scene.gravity) @ scene.mass
+    kinetic = 0.5 * (np.diff(scene.frames, axis=0) ** 2).sum(axis=2) @ scene.mass / np.diff(scene.time) ** 2
+    at_start = 0.5 * (scene.velocity ** 2).sum(axis=1) @ scene.mass
+    middle = (height[1:] + height[:-1]) / 2  # height at the time of the mean speed
+    return float((kinetic + middle - height[0] - at_start).max() / (at_start + weight * scene.size))
+
+
+def beyond_reach(scene):
+    """Largest distance of a vertex from its nearest pin, minus 1 + WAY paths along edges, in sizes."""
+    way, pin = ways_from(scene)
+    reached = (way < np.inf) & ~scene.run.pinned
+    distance = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2)
+    return 0.0 if not reached.any() else float(((distance - (1 + WAY) * way)[:, reached]).max() / scene.size)
+
+
+def ways_from(scene):
+    """(V) length of the shortest path along edges to a pin, and that pin; relaxed until nothing changes."""
+    edges = np.sort(scene.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
+    edges = np.unique(edges, axis=0)
+    edges = np.concatenate([edges, edges[:, ::-1]])
+    length = np.linalg.norm(scene.rest[edges[:, 0]] - scene.rest[edges[:, 1]], axis=1)
+    way, pin = np.full(len(scene.rest), np.inf), np.full(len(scene.rest), scene.pins[0])
+    way[scene.pins], pin[scene.pins] = 0, scene.pins
+    while True:
+        through = way[edges[:, 0]] + length
+        order = np.argsort(-through, kind="stable")  # the shortest is written last
+        shorter = order[through[order] < way[edges[order, 1]] * (1 - 1e-12)]
+        if not len(shorter):
+            return way, pin
+        way[edges[shorter, 1]], pin[edges[shorter, 1]] = through[shorter], pin[edges[shorter, 0]]
+
+
+def fall_error(scene):
+    """Distance of the centre of mass from a free fall in steps of h, over the fall."""
+    centre = np.einsum("fvi,v->fi", scene.frames, scene.mass)
+    t = scene.time[:, None]
+    exact = centre[0] + t * (scene.mass @ scene.velocity) + fallen(t, scene.h,
+                                                                   scene.second_order) * scene.gravity
+    fall = 0.5 * np.linalg.norm(scene.gravity) * scene.time[-1] ** 2
+    return float(np.maximum(np.linalg.norm(centre - exact, axis=1) - ROUNDING * scene.size, 0).max() / fall)
+
+
+def fallen(t, h, second_order):
+    """Length of a free fall from rest at time t, over g, exact in steps of h. Backward Euler is ahead of t² /
+    2 by h t / 2; BDF2, whose first step is one of backward Euler, by 3/4 h² in the end."""
+    ahead = 0.75 * h ** 2 * (1 - 3.0 ** (-t / h)) if second_order else h * t / 2
+    return t ** 2 / 2 + ahead
+
+
+# The program's warnings.
+
+NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings that have nothing to do with these bounds
+
+
+def told_by(run):
+    """The program's report on a run: its status if it went wrong, or its warnings; "" for neither."""
+    if run.status in ("implausible", "diverged"):
+        return run.status
+    return ", ".join(dict.fromkeys(warning["code"] for warning in run.warnings
+                                   if warning["code"] not in NO_ANSWER))
+
+
+def judge(run, config_name):
+    return Judged(config_name, run, settings_of(run.config), bounds_of(run), told_by(run),
+                  command_of(f"{FOLDER}/{config_name}", run.point))

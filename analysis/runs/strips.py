@@ -1,0 +1,181 @@
+"""Shared by the figures of stiffness: runs of clamped strips, and their theoretical curves."""
+import numpy as np
+
+from tables import looks
+from bendlab.results import registry
+from runs.sweeps import load_experiment
+
+GRAVITY = 9.81  # m/s², as in the configs
+MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
+              "both": "grid, both diagonals", "delaunay": "delaunay"}
+UNBALANCED = 0.005  # share of the loads; a static run whose forces are less balanced is no equilibrium
+
+
+def experiment_runs(results, section, *names):
+    """Complete runs of configs/stiffness/<name>.json; static runs that are unbalanced are left out.
+
+    Adds commands, missing points and the count of unbalanced runs to the section.
+    """
+    runs = []
+    for name in names:
+        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}"))
+                    if run.complete]
+        balanced = [run for run in complete if not run.summary.get("unbalanced", 0) > UNBALANCED]
+        if len(balanced) < len(complete):
+            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of "
+                                   f"{len(complete)} runs found no equilibrium")
+        runs += balanced
+    return runs
+
+
+def family(run):
+    """Kind of mesh, a key of MESH_NAMES."""
+    generator = run.get("/mesh/generator")
+    return run.get("/mesh/diagonal") if generator == "grid" else generator
+
+
+def cells(run):
+    return run.get("/mesh/cells")
+
+
+def mesh_name(run):
+    return f"{MESH_NAMES.get(family(run), family(run))}, {cells(run)} cells"
+
+
+def model_name(run):
+    return looks.model_name(run.model, run.get("/bending/k_ring/k"))
+
+
+def gravity(run):
+    return -run.get("/effects/0/acceleration", [0, 0, -GRAVITY])[2]
+
+
+def number(run, name):
+    """A number of the summary, NaN if there is none."""
+    return run.summary.get(name, np.nan)
+
+
+def droop(run):
+    """H/W: how far the free end hangs down over how far it reaches out."""
+    return number(run, "stiffness_height_over_width")
+
+
+def rigidity(run):
+    """B in N m, from H/W and the curve of the heavy elastica."""
+    return number(run, "stiffness_flexural_rigidity")
+
+
+def stated(run):
+    """The physical stiffness in the config: C in N m³ of springs at rest, else B in N m."""
+    bending = run.get("/bending")
+    if not registry.has_springs_at_rest(run.model):
+        return bending["flexural_rigidity"]
+    return bending.get("quartic_coefficient") or bending["flexural_rigidity"] / bending["at_curvature"]**2
+
+
+def measured(run):
+    """The physical stiffness from H/W, in the unit of stated()."""
+    return number(run, "stiffness_quartic") if registry.has_springs_at_rest(run.model) else rigidity(run)
+
+
+def load_number(run, flexural_rigidity):
+    """Γ = ρ g L³/B for this B; L is the strip's effective length, with the clamp offset."""
+    return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
+
+
+def elastica_droop(loads):
+    """H/W of heavy strips at Γ = loads, by Runge-Kutta and bisection.
+
+    B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0.
+    """
+    loads = np.asarray(loads, float)
+    steps = 400
+    h = 1 / steps
+
+    def shoot(slope):
+        theta, width, height = (np.zeros_like(loads) for _ in range(3))
+        steep, flat = (np.zeros(loads.shape, bool) for _ in range(2))
+        bend = lambda s, angle: -loads * (1 - s) * np.cos(angle)
+        for s in np.arange(steps) * h:
+            k1, l1 = slope, bend(s, theta)
+            k2, l2 = slope + h / 2 * l1, bend(s + h / 2, theta + h / 2 * k1)
+            k3, l3 = slope + h / 2 * l2, bend(s + h / 2, theta + h / 2 * k2)
+            k4, l4 = slope + h * l3, bend(s + h, theta + h * k3)
+            after = theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+            slope = slope + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+            middle = (theta + after) / 2 + h / 8 * (k1 - k4)  # angle at half a step, for Simpson's rule
+            width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
+            height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
+            theta = after
+            steep |= (theta > np.pi / 2) & ~flat  # past the vertical, weight bends it further
+            flat |= (slope < 0) & ~steep
+        return ~flat, height / width
+
+    # Slope at the clamp: at most Γ/2 (a flat strip) and √2Γ (all the weight turns it).
+    low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
+    for _ in range(50):
+        middle = (low + high) / 2
+        too_steep = shoot(middle)[0]
+        low, high = np.where(too_steep, low, middle), np.where(too_steep, middle, high)
+    return shoot((low + high) / 2)[1]
+
+
+def ring_pairs(triangles, count, ring):
+    """(S, 2) vertex pairs that are exactly `ring` edges apart."""
+    neighbours = [set() for _ in range(count)]
+    for a, b, c in triangles:
+        neighbours[a] |= {b, c}
+        neighbours[b] |= {a, c}
+        neighbours[c] |= {a, b}
+    pairs = []
+    for vertex in range(count):
+        seen = front = {vertex}
+        for _ in range(ring):
+            front = set().union(*(neighbours[v] for v in front)) - seen
+            seen = seen | front
+        pairs += [(vertex, other) for other in front if other > vertex]
+    return np.array(pairs, int).reshape(-1, 2)
+
+
+def expected_quartic(rest, triangles, pinned, ring, stiffness):
+    """C in N m³ of an equilateral lattice with springs to one ring; `stiffness` of a spring in N/m, rows
+    across the strip.
+
+    The sheet bends as a polyhedral cylinder: rows are h apart, stay straight, and each turns by κh. A spring
+    of length l over n rows shortens by n² (n² - 1) h⁴ κ² / 24 l. The energy of all springs per area is C κ⁴ /
+    4. Springs end at the free sides, so that C is smaller than on an infinite lattice. Only springs away from
+    the clamp and the free end count.
+    """
+    pairs = ring_pairs(triangles, len(rest), ring)
+    rows = np.unique(np.round(rest[:, 0], 7))
+    h = (rows[-1] - rows[0]) / (len(rows) - 1)
+    clamp, length = rest[pinned, 0].max(), rest[:, 0].max() - rest[pinned, 0].max()
+    corners = rest[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
+                          axis=1).sum() / 2
+    width = area / (rows[-1] - rows[0])
+    ends = np.sort(rest[pairs][:, :, 0], axis=1) - clamp
+    spanned = np.round((ends[:, 1] - ends[:, 0]) / h)
+    at_rest = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
+    shortening = spanned**2 * (spanned**2 - 1) * h**4 / (24 * at_rest)
+    low, high = ring * h, length - ring * h
+    inside = np.clip(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0,
+                     None) / np.maximum(ends[:, 1] - ends[:, 0], h / 2)
+    return 2 * stiffness * float((shortening**2 * inside).sum()) / ((high - low) * width)
+
+
+def largest_ratio(values):
+    """Largest over smallest positive value; NaN for fewer than two."""
+    values = np.array([value for value in values if np.isfinite(value) and value > 0])
+    return float(values.max() / values.min()) if len(values) > 1 else np.nan
+
+
+def power(runs):
+    """The exponent p of H/W ∝ g^p, fitted to these runs."""
+    return float(np.polyfit(np.log([gravity(run) for run in runs]), np.log([droop(run) for run in runs]),
+                            1)[0])
+
+
+def as_stated(*columns):
+    """The limits of a chart whose numbers are 1 where the stiffness is as stated."""
+    return [(column, 1, "as stated") for column in columns]

@@ -1,0 +1,164 @@
+"""The runs of a config and its missing runs, from the sweep file that `bendlab run` writes beside the
+runs."""
+import copy
+import itertools
+import json
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from bendlab.results import registry
+from bendlab.results.load import Indices, Run, load_if_begun
+
+CONFIGS = Path(__file__).resolve().parents[2] / "configs"
+
+
+@dataclass
+class Experiment:
+    """The runs of one config: those that exist, and those that are missing."""
+
+    config: str  # file below configs/, as in "paper/fig5"
+    settings: dict  # the config as written
+    sweep: dict  # JSON pointer → values
+    runs: list  # in the order of the sweep
+    missing: list  # points of the sweep without a finished run, as text
+    absent: str = ""  # why there is no run of the config as it is written
+
+    @property
+    def missing_text(self):
+        """The missing runs as text; "" if none is missing."""
+        parts = [self.absent] if self.absent else []
+        if self.missing:
+            runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
+            parts.append(f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}")
+        return "; ".join(parts)
+
+    @property
+    def command(self):
+        return f"./bendlab run configs/{self.config}.json"
+
+
+def load_experiment(results, config):
+    """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
+
+    `bendlab run` lists these runs in <config>.sweep.json beside them. If the config was only run with other
+    settings (--set), the newest of these trials is shown, and `absent` says so.
+    """
+    settings = read_config(config)
+    folder = Path(results) / settings["name"]
+    axes = settings.get("sweep", {})
+    experiment = Experiment(config, settings, axes, [], [])
+    file = _sweep_file(folder, Path(config).name)
+    if not file:
+        experiment.absent = "none of its runs"
+        return experiment
+    sweep = json.loads(file.read_text(encoding="utf-8"))
+    if sweep["overrides"]:
+        experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
+    elif not (_same_runs(settings, sweep["settings"]) and _same_axes(axes, sweep["axes"])):
+        experiment.absent = "none of its runs, because the config was changed after it was run"
+        return experiment
+    registry.learn(sweep["models"], sweep.get("methods", {}))
+    experiment.sweep = sweep["axes"]
+    indices = Indices(folder)
+    for entry in sweep["runs"]:
+        run = load_if_begun(file_in(folder / entry["folder"]), indices) if entry["folder"] else None
+        if run and run.id != entry["id"]:
+            print(f"left out: {run.file} is the file of another run, {run.id}", file=sys.stderr)
+            run = None
+        if run:
+            run.point, run.experiment = entry["point"], config
+            experiment.runs.append(run)
+        if not run or not run.over:
+            experiment.missing.append(", ".join(f"{pointer} {value}"
+                                                for pointer, value in entry["point"].items()))
+    indices.write()
+    return experiment
+
+
+def read_config(config):
+    """configs/<config>.json as it is written."""
+    return json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
+
+
+def planned_points(settings, axes):
+    """Every place on these axes, in the order of the program: pointer → value. A setting of one bending model
+    is no axis for runs of another model: their points do not have it."""
+    points = {}
+    for values in itertools.product(*axes.values()):
+        point = dict(zip(axes, values))
+        model = point.get("/bending/model") or point.get("/bending", settings["bending"])["model"]
+        applies = lambda pointer: pointer.count("/") < 3 or not pointer.startswith("/bending/") \
+            or pointer.startswith(f"/bending/{model}/")
+        point = {pointer: value for pointer, value in point.items() if applies(pointer)}
+        points.setdefault(point_key(point), point)
+    return list(points.values())
+
+
+def point_key(point):
+    """Text that is equal for equal points: 0 and 0.0 are one number."""
+    return json.dumps(_plain(point), sort_keys=True)
+
+
+def _plain(value):
+    if isinstance(value, dict):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [_plain(entry) for entry in value]
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def planned_runs(experiment):
+    """Every run of an experiment's config, in the order of its sweep. A missing run has the status "missing"
+    and only the settings that the config states. Runs of a trial do not count."""
+    existing = {} if experiment.absent else {point_key(run.point): run for run in experiment.runs}
+    return [existing.get(point_key(point)) or missing_run(experiment.config, point)
+            for point in planned_points(experiment.settings, experiment.settings["sweep"])]
+
+
+def missing_run(config, point):
+    """A stand-in for a missing run."""
+    settings = settings_at(read_config(config), point)
+    return Run(file=None, id="", name=settings["name"], status="missing", config=settings, summary={},
+               metrics={}, point=point, experiment=config)
+
+
+def settings_at(settings, point):
+    """A copy of a config as it is written, with the values of a place on its sweep."""
+    settings = copy.deepcopy(settings)
+    for pointer, value in point.items():
+        *path, last = pointer.split("/")[1:]
+        node = settings
+        for key in path:
+            node = node[int(key)] if isinstance(node, list) else node.setdefault(key, {})
+        node[int(last) if isinstance(node, list) else last] = copy.deepcopy(value)
+    return settings
+
+
+def _sweep_file(folder, name):
+    """The sweep file of a config, or of its newest trial, or None."""
+    file = folder / f"{name}.sweep.json"
+    if file.exists():
+        return file
+    return max(folder.glob(f"{name},*.sweep.json"), key=lambda trial: trial.stat().st_mtime, default=None)
+
+
+def file_in(folder):
+    """The run file of a run's folder, finished or not."""
+    whole = folder / "run.vtkhdf"
+    return whole if whole.exists() else max(folder.glob("run.vtkhdf*.part"), default=whole)
+
+
+def _same_runs(written, computed):
+    """Whether a config as written has the runs of the computed config; axes are compared by _same_axes(). The
+    computed config lists effects even if the written config has none."""
+    beside = ("description", "sweep", "expect", "allow", "cover", "because", "$schema")
+    decides = lambda settings: {key: value for key, value in settings.items()
+                                if key not in beside and (key != "effects" or key in written)}
+    return decides(written) == decides(computed)
+
+
+def _same_axes(written, axes):
+    """Whether the axes as a config writes them are the axes of its runs. "all" stands for every choice of a
+    setting."""
+    return list(written) == list(axes) and all(written[pointer] in ("all", axes[pointer]) for pointer in axes)

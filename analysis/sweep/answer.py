@@ -1,0 +1,114 @@
+"""The top of a page of runs: the answer, the number of runs with each verdict, and what went wrong."""
+from tables.numbers import number_text
+from collections import Counter
+
+import numpy as np
+
+from runs import expectations
+from sweep import run_facts
+from sweep import charts
+from web.html_parts import escape
+
+ORDER = ["complete", "running", "implausible", "diverged", "interrupted", "unreadable", "missing"]
+
+
+def top_html(report):
+    """The page above its sections."""
+    text = next((sweep.description for sweep in report.sweeps if sweep.description), "")
+    lead = f"<p class='lead'>{escape(text)}</p>" if text and len(report.sweeps) == 1 else ""
+    # a live page would keep showing old counts
+    tally = "" if report.live else f"<ul class='tally'>{''.join(_tally(report))}</ul>"
+    return (f"<h1>{escape(report.title)}</h1>{lead}<p class='answer'>{_answer(report)}</p>{tally}"
+            f"{_going_on(report)}{''.join(_trouble(report))}")
+
+
+def status_html(status, text=None):
+    """A status with the mark of its kind. A damaged file looks like a failure."""
+    kind = "fails" if status == "unreadable" else status
+    return f"<span class='status {kind}'>{escape(text or status)}</span>"
+
+
+def _answer(report):
+    """One sentence: the number of runs, and the range of the first metric that differs."""
+    runs, count = report.runs, len(report.runs)
+    if report.live:
+        return "The page follows this run while it is computed."
+    done = sum(run.complete for run in runs)
+    if count == 1:
+        text = f"One run, {runs[0].status}"
+        if runs[0].frames:
+            seconds = number_text(charts.simulated_s(runs[0]))
+            text += f": {seconds} s of cloth in {runs[0].frames} frames"
+    else:
+        text = spaced(count) + " runs" + (f", {spaced(done)} of them complete" if done < count else "")
+    extremes = _extremes(report)
+    if extremes:
+        number, low, high = extremes
+        unit = "" if number["unit"] in ("", "1") else f" {number['unit']}"
+        value_html = lambda run: (f"<b>{escape(number_text(run.summary[number['name']]) + unit)}</b> "
+                                  f"({escape(report.labels[run.id])})")
+        text += f". The {escape(number['label'])} goes from {value_html(low)} to {value_html(high)}"
+    return text + "."
+
+
+def _extremes(report):
+    """(metric, run with the smallest value, run with the largest) of the first metric that differs."""
+    for number in report.numbers[0] if report.numbers else []:
+        of = lambda run: run.summary.get(number["name"], np.nan)
+        runs = [run for run in report.runs if run.complete and np.isfinite(of(run))]
+        if runs and of(min(runs, key=of)) < of(max(runs, key=of)):
+            return number, min(runs, key=of), max(runs, key=of)
+    return None
+
+
+def _tally(report):
+    counts = Counter(run.status for run in report.runs)
+    for name in ORDER:
+        if counts[name]:
+            yield f"<li>{status_html(name, f'{spaced(counts[name])} {name}')}</li>"
+    checked = [expected.holds for sweep in report.sweeps for run in sweep.runs
+               for expected in expectations.check(sweep.settings, run)]
+    if checked:
+        kind = "holds" if all(checked) else "fails"
+        yield f"<li>{status_html(kind, f'{sum(checked)} of {len(checked)} expectations hold')}</li>"
+    given = Counter(code for run in report.runs for code in {warning["code"] for warning in run.warnings})
+    for code, count in given.items():
+        yield f"<li><b>{count}</b> with the warning {escape(code)}</li>"
+
+
+def _going_on(report):
+    if not report.live:
+        return ""
+    run = report.runs[0]
+    now, end = number_text(charts.simulated_s(run)), number_text(run.get("/duration"))
+    return f"<p id='live' role='status'>{run.frames} frames, t = {now} s of {end} s. The run goes on.</p>"
+
+
+def _trouble(report):
+    """Notes as HTML: one per kind of failure with its cause, one per kind of warning, those of the sweeps."""
+    link = lambda run: f"<a href='#run-{escape(run.id)}'>{escape(report.labels[run.id])}</a>"
+    for status, kind in (("implausible", "no"), ("diverged", "diverged"), ("unreadable", "no")):
+        failed = [run for run in report.runs if run.status == status]
+        if failed:
+            rest = len(failed) - 1
+            more = f" And {rest} more: see <a href='#runs'>the runs</a>." if rest else ""
+            yield (f"<div class='note {kind}'><p>{status_html(status)} {link(failed[0])}: "
+                   f"{escape(run_facts.why(failed[0]))}{more}</p></div>")
+    given = {}
+    for run in report.runs:
+        for warning in run.warnings:
+            given.setdefault(warning["code"], []).append((run, warning["message"]))
+    for code, warned in given.items():
+        run, message = warned[0]
+        more = f" (and {len(warned) - 1} more)" if len(warned) > 1 else ""
+        end = "" if message.endswith((".", "!", "?")) else "."
+        yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: "
+               f"{escape(message)}{end}</p></div>")
+    for sweep in report.sweeps:
+        for note in sweep.notes:
+            yield f"<div class='note'><p>{escape(note)}.</p></div>"
+
+
+def spaced(count):
+    """1234 as 1 234."""
+    return f"{count:,}".replace(",", "\u202f")

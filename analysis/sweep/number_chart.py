@@ -1,0 +1,107 @@
+"""Any number of a sweep's runs against any other: error against time, for example."""
+import difflib
+import math
+
+import numpy as np
+
+from draw.chart_files import scale_of
+from tables import looks
+from bendlab.results.load import group
+from runs.axes import is_number, label_of
+from sweep.charts import CPU, about_number, number_of
+from tables.numbers import shortened
+
+OF_A_RUN = {"cpu_s": ("CPU time of the run", "s"), "step_cpu_s": ("CPU time of the steps", "s"),
+            "wall_s": ("time of the run on the clock", "s"), "vertices": ("vertices", ""),
+            "triangles": ("triangles", ""), "edge_length": ("mean edge length", "m"),
+            "springs": ("springs", ""), "memory_bytes": ("memory of the solver", "B")}  # name → (label, unit)
+SECTIONS = ("mesh", "solver", "bending", "material", "material/strain", "pins", "initial", "output")
+
+
+def value_of(run, name):
+    """A number of a run, or a setting by its pointer; NaN without it, infinite if the run diverged."""
+    if name.startswith("/"):
+        value = run.get(name)
+        return float(value) if is_number(value) else math.nan
+    if name in ("cpu_s", "step_cpu_s", "wall_s"):
+        return getattr(run, name) or math.nan
+    return number_of(run, name)
+
+
+def about(name, meanings):
+    """{name, label, unit, meaning} of a number or a setting."""
+    if name.startswith("/"):
+        unit, meaning = meanings.setting(name)
+        return {"name": name, "label": name.rsplit("/", 1)[1].replace("_", " "), "unit": unit,
+                "meaning": meaning}
+    description = about_number(name, meanings)
+    if name in OF_A_RUN:
+        description["label"], description["unit"] = OF_A_RUN[name]
+    return description
+
+
+def number_chart(sweep, axes, x, y, command, name):
+    """The chart of y against x: a point per place on the sweep, the median over seeds. A curve joins points
+    that differ only along the numeric axis with the most values. None if no run has both numbers; ValueError
+    for an unknown name."""
+    runs = [run for run in sweep.runs if run.summary]
+    for wanted in (x, y):
+        if runs and not any(math.isfinite(value_of(run, wanted)) for run in runs):
+            raise ValueError(_unknown(wanted, runs))
+    axes = [axis for axis in axes if not axis.is_seed]
+    along = max((axis for axis in axes if axis.numeric), key=lambda axis: len(axis.values), default=None)
+    curve_axes = [axis for axis in axes if axis is not along]
+    series = []
+    for same_curve in group(runs, lambda run: tuple(axis.place(run) for axis in curve_axes)).values():
+        points = _points(same_curve, along, x, y)
+        if points:
+            label = label_of(same_curve[0], curve_axes) if curve_axes else sweep.name
+            series.append(_series(label, _look(curve_axes, same_curve, len(series)), points, y))
+    if not series:
+        return None
+    about_y = about(y, sweep.meanings)
+    about_x = about(x, sweep.meanings)
+    every_x = [value for curve in series for value in curve["x"]]
+    return {"id": name, "kind": "lines", "title": f"{about_y['label']} against {about_x['label']}",
+            "note": f"A curve joins runs that differ in {along.label}." if along else "",
+            "texts": along.label if along else "",
+            "x": about_x | {"scale": scale_of(every_x)}, "ys": [about_y], "choice": 0,
+            "series": series, "command": command, "held": [], "limits": [], "dodge": False}
+
+
+def _points(runs, along, x, y):
+    """[(x, y, ids, text)] of the places on an axis, sorted by x; medians over the runs of a place."""
+    points = []
+    for same_place in group(runs, lambda run: along.place(run) if along else run.id).values():
+        at = [(value_of(run, x), value_of(run, y), run.id) for run in same_place]
+        known = [(a, b) for a, b, _ in at if math.isfinite(a) and math.isfinite(b)]
+        if known:
+            points.append((*map(float, np.median(known, axis=0)), [id for *_, id in at],
+                           along.text(same_place[0]) if along else ""))
+    return sorted(points, key=lambda point: point[:2])
+
+
+def _series(label, look, points, y):
+    return {"label": label, "look": look, "x": [shortened(point[0]) for point in points],
+            "y": {y: [shortened(point[1]) for point in points]}, "runs": [point[2] for point in points],
+            "texts": [point[3] for point in points]}
+
+
+def _look(axes, runs, number):
+    """The look of the curve's model if models alone tell curves apart, else one by its place."""
+    if len(axes) == 1 and axes[0].models and len(set(axes[0].models)) == len(axes[0].models):
+        return looks.of_model(runs[0].model)
+    return looks.of_place(number)
+
+
+def _unknown(name, runs):
+    if name.startswith("/"):
+        return f"no run has a number as its setting {name}"
+    known = sorted({*OF_A_RUN, CPU, *(key for run in runs for key in run.summary)})
+    settings = [f"/{section}/{name}" for section in SECTIONS
+                if any(math.isfinite(value_of(run, f"/{section}/{name}")) for run in runs)]
+    if settings:
+        return f"no run has the number '{name}'; did you mean the setting {' or '.join(settings)}?"
+    near = difflib.get_close_matches(name, known, 3, 0.5)
+    return f"no run has the number '{name}'" + (f"; did you mean {' or '.join(near)}?" if near else
+                                                f"; these are known: {', '.join(known)}")

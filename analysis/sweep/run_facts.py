@@ -1,0 +1,119 @@
+"""What a page says of one run: its worst number with its limit, why it failed, its config, its command."""
+import json
+import math
+import shlex
+from collections import Counter
+from pathlib import Path
+
+from runs import repeat
+from runs.collected import differing, flattened
+from runs.expectations import check
+from sweep.charts import cpu_ms, simulated_s
+from tables.numbers import shortened
+from tables.numbers import number_text as number
+
+
+def worst(run, sweep):
+    """The metric that is nearest to its limit, or farthest beyond it: {label, value, limit, unit, held,
+    note}; else the largest stretch. None if there is neither."""
+    if run.broken:
+        broken = run.broken
+        return {"label": broken["bound"].replace("_", " "), "value": json_number(broken["measured"]),
+                "limit": json_number(broken["limit"]), "unit": broken.get("unit", ""), "held": False,
+                "note": f"at t = {number(broken['time'])} s" if broken.get("time") is not None else ""}
+    checked = check(sweep.settings, run)
+    if checked:
+        least = min(checked, key=lambda bound: (bound.holds, bound.margin))
+        return {"label": least.metric.replace("_", " "), "value": json_number(least.measured),
+                "limit": json_number(least.limit), "unit": "", "held": least.holds, "note": least.why}
+    if "max_stretch" in run.summary:
+        return {"label": "largest stretch σ₁", "value": json_number(run.summary["max_stretch"]),
+                "limit": None, "unit": "1", "held": None, "note": "no bound is stated for it"}
+    return None
+
+
+def json_number(value):
+    """A number for JSON. None stands for a number that was not finite."""
+    return "∞" if value is None else shortened(float(value))
+
+
+def why(run):
+    """Why a run is not complete, a sentence or two."""
+    if run.status == "implausible" and run.broken:
+        broken = run.broken
+        limit = lambda name: number(math.inf if broken[name] is None else broken[name])
+        where = f"vertex {broken['vertex']}" if broken.get("vertex", -1) >= 0 else "the cloth"
+        constraint = broken.get("constraint") or {}
+        cause = (f" The {constraint['kind']} constraint moves it farthest, by "
+                 f"{number(constraint['correction'])} m in one projection."
+                 if constraint.get("kind") and constraint.get("correction") is not None else "")
+        advice = f" Measured to help: {broken['advice'].rstrip('.')}." if broken.get("advice") else ""
+        unit = "" if broken.get("unit") in (None, "1") else f" {broken['unit']}"
+        return (f"At t = {number(broken['time'])} s {where} broke the bound on "
+                f"{broken['bound'].replace('_', ' ')}: {limit('measured')}{unit}, and the scene allows "
+                f"{limit('limit')}{unit}.{cause}{advice}")
+    if run.status == "diverged":
+        return run.provenance.get("message") or (
+            f"The run diverged at t = {number(simulated_s(run))} s; the page shows the frames before that.")
+    if run.status == "interrupted":
+        return f"The run was stopped at t = {number(simulated_s(run))} s, or is still running."
+    if run.status == "missing":
+        return "This run is not computed yet."
+    if run.status == "unreadable":
+        return run.provenance.get("problem", "Its file cannot be read.")
+    return ""
+
+
+def in_short(run):
+    """Frames, simulated time and CPU time of a run."""
+    if not run.frames:
+        return ""
+    ms = cpu_ms(run)
+    parts = [f"{run.frames} frames, {number(simulated_s(run))} s"]
+    if ms == ms:
+        parts.append(f"{number(ms)} ms of CPU per 1/60 s")
+    parts.append(run.id)
+    return " · ".join(parts)
+
+
+def command(run, sweep):
+    """The one line that computes a run again."""
+    if sweep.config and sweep.settings:
+        return repeat.command(shown_path(sweep.config), run.point, sweep.axes, sweep.overrides)
+    if run.file:
+        return f"./bendlab rerun {shlex.quote(shown_path(sweep.file_of(run)))}"
+    return ""
+
+
+def view_command(run, sweep):
+    return f"./bendlab view {shlex.quote(shown_path(sweep.file_of(run)))}" if run.file else ""
+
+
+def shown_path(path):
+    """A path as the user would type it in this folder."""
+    path = Path(path)
+    try:
+        return str(path.resolve().relative_to(Path.cwd()))
+    except ValueError:
+        return str(path)
+
+
+class Settings:
+    """The configs of many runs: one base config for the page, and the differences of each run from it."""
+
+    def __init__(self, runs):
+        flat = {run.id: flattened(run.config) for run in runs if run.config}
+        values = {}
+        for config in flat.values():
+            for pointer, value in config.items():
+                values.setdefault(pointer, Counter())[json.dumps(value)] += 1
+        self.base = {pointer: json.loads(counts.most_common(1)[0][0]) for pointer, counts in values.items()
+                     if sum(counts.values()) > len(flat) / 2}
+        self._flat = flat
+
+    def changes(self, run):
+        """Pointer → [value] where the run's config differs from the base, None where it lacks the setting."""
+        own = self._flat.get(run.id)
+        if own is None:
+            return None
+        return differing(self.base, own)

@@ -1,0 +1,151 @@
+"""What a figure gives to its page: charts, pictures, tables, checks, and claims with a rule."""
+import hashlib
+import json
+from dataclasses import dataclass, field, fields, is_dataclass
+from datetime import date
+
+from tables.numbers import known_values, rounded
+from tables.chart import Chart
+from tables.claim_map import ClaimMap
+from tables.table import EXACT, Table
+
+
+@dataclass
+class Claim:
+    figure: str
+    claim: str  # the paper's statement
+    rule: str  # the condition under which it holds
+    numbers: dict  # the measured numbers
+    holds: bool | None  # None: runs are missing
+    note: str = ""
+    setting: str = ""  # the claim is judged at this setting only; a map judges it over all settings
+
+    def as_json(self):
+        return {"figure": self.figure, "claim": self.claim, "rule": self.rule,
+                "numbers": rounded(self.numbers), "holds": self.holds, "note": self.note,
+                **({"setting": self.setting} if self.setting else {})}
+
+
+@dataclass
+class Check:
+    """A number known beforehand from theory or experiment, and the measured one."""
+
+    check: str
+    model: str
+    mesh: str
+    expected: float
+    measured: float  # NaN: no run, or the run lacks it
+    tolerance: float  # relative or absolute, see `kind`
+    source: str
+    kind: str = "relative"  # or "absolute", or "most": measured is at most expected
+    note: str = ""
+
+    @property
+    def holds(self):
+        """Whether the measured number is within the tolerance; None if nothing was measured."""
+        if self.measured is None or self.measured != self.measured:
+            return None
+        if self.kind == "most":
+            return bool(self.measured <= self.expected)
+        return bool(abs(self.measured - self.expected) <= self.tolerance
+                    * (self.expected if self.kind == "relative" else 1))
+
+    @property
+    def bound(self):
+        """The tolerance as text."""
+        return {"relative": f"± {100 * self.tolerance:g} %", "absolute": f"± {self.tolerance:g}",
+                "most": "at most"}[self.kind]
+
+    def as_json(self):
+        return {"check": self.check, "model": self.model, "mesh": self.mesh,
+                "expected": rounded(self.expected), "measured": rounded(self.measured),
+                "tolerance": self.bound, "source": self.source, "holds": self.holds, "note": self.note}
+
+
+@dataclass
+class Section:
+    """One part of a page. The page names it, and its figure fills it."""
+
+    id: str  # its address in the page
+    title: str
+    link: str = ""  # its name in the navigation
+    text: str = ""
+    figure: str = ""  # the paper's number
+    charts: list = field(default_factory=list)  # Chart
+    pictures: list = field(default_factory=list)  # (file name, caption)
+    tables: list = field(default_factory=list)  # Table
+    claims: list = field(default_factory=list)
+    checks: list = field(default_factory=list)
+    maps: list = field(default_factory=list)  # ClaimMap
+    commands: list = field(default_factory=list)
+    missing: list = field(default_factory=list)
+    origins: list = field(default_factory=list)  # of the runs that it used: commit, machine, date
+    # objects for a file beside the page; page.json does not have them
+    data: list = field(default_factory=list)
+    frames: object = None  # of cloth that moves in the page (draw/page_frames.py); only index.html has them
+    bits: dict = field(default_factory=dict)  # config → place on its sweep (short) → bits of the run there
+
+    def uses(self, experiment):
+        """Adds the experiment's command and its missing points to the section; returns its runs."""
+        self.commands.append(experiment.command)
+        self.origins += [origin_of(run) for run in experiment.runs[-1:]]
+        self.bits[experiment.config] = {short(run.point): bits_of(run) for run in experiment.runs if run.over}
+        if experiment.missing_text:
+            self.missing.append(f"configs/{experiment.config}.json: {experiment.missing_text}")
+        return experiment.runs
+
+    def table(self, id):
+        """The rows of a table of the section, [] without it."""
+        return next((table.rows for table in self.tables if table.id == id), [])
+
+    def as_json(self):
+        """The section as JSON, from which its page can be laid out again without runs."""
+        kept = exactly({entry.name: getattr(self, entry.name) for entry in fields(self)
+                        if entry.name not in ("maps", "tables", "data", "frames")})
+        return rounded(kept, EXACT) | {"tables": [table.as_json() for table in self.tables],
+                                       "maps": [claim_map.kept() for claim_map in self.maps]}
+
+    @classmethod
+    def of_json(cls, kept):
+        """The section that as_json() wrote."""
+        lists = {"pictures": tuple, "tables": Table.of_json, "charts": lambda entry: Chart(**entry),
+                 "claims": lambda entry: Claim(**entry | {"numbers": known_values(entry["numbers"])}),
+                 "checks": lambda entry: Check(**known_values(entry)), "maps": ClaimMap.of_kept}
+        return cls(**kept | {name: [make(entry) for entry in kept[name]] for name, make in lists.items()})
+
+
+def short(value):
+    """Eight letters that identify an object of JSON."""
+    return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()[:8]
+
+
+def bits_of(run):
+    """Eight letters that are equal for two runs if all numbers of their summaries are equal to the last bit.
+    Times and memory do not count: they depend on the machine."""
+    return short({name: float(value).hex() for name, value in run.summary.items()
+                  if name not in ("cpu_s", "step_cpu_s", "wall_s", "memory_bytes")})
+
+
+def exactly(value):
+    """Data classes as dictionaries, tuples as lists."""
+    if is_dataclass(value):
+        return {entry.name: exactly(getattr(value, entry.name)) for entry in fields(value)}
+    if isinstance(value, dict):
+        return {key: exactly(entry) for key, entry in value.items()}
+    return [exactly(entry) for entry in value] if isinstance(value, (list, tuple)) else value
+
+
+def origin_of(run):
+    """{commit, machine, date} of a run, as far as its file states them."""
+    provenance = run.provenance
+    written = run.file.stat().st_mtime if run.file and run.file.exists() else None
+    changed = " with changes" if provenance.get("git_dirty") == "yes" else ""
+    return {"commit": provenance["git_commit"][:12] + changed if provenance.get("git_commit") else "",
+            "machine": provenance.get("processor", ""), "host": provenance.get("host", ""),
+            "date": date.fromtimestamp(written).isoformat() if written else ""}
+
+
+def write_objects(path, objects):
+    """Writes a JSON list with one object per line."""
+    lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in objects)
+    path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")

@@ -1,0 +1,92 @@
+"""Rows with named columns: the results of figures. Charts, pictures, tables and READMEs show them.
+
+A row is a dictionary of raw numbers and texts. Only cell_text() makes a text of a number.
+"""
+from dataclasses import asdict, dataclass
+
+from tables.numbers import known, number, rounded
+
+EXACT = 9  # significant digits of the numbers that a page keeps
+
+
+@dataclass
+class Column:
+    id: str
+    label: str = ""  # "": the id
+    form: str = ""  # how numbers are written: a format such as .3f, "" for three significant digits
+    unit: str = ""
+    meaning: str = ""
+    shown: bool = True  # whether tables show it; charts may use all columns
+    least: float = 0  # numbers below it are not known, and written as "below" it
+
+    @property
+    def title(self):
+        """The label with its unit."""
+        label = self.label or self.id.replace("_", " ")
+        return f"{label} ({self.unit})" if self.unit not in ("", "1") and "(" not in label else label
+
+
+@dataclass
+class Table:
+    id: str
+    caption: str
+    columns: list  # Column
+    rows: list  # dictionaries: id of a column → number, text, or (low, high)
+
+    @classmethod
+    def of(cls, id, caption, columns, rows):
+        """A table whose columns are given as ids or as tuples of the fields of Column."""
+        made = [column if isinstance(column, Column) else
+                Column(column) if isinstance(column, str) else Column(*column) for column in columns]
+        return cls(id, caption, made, list(rows))
+
+    def column(self, id):
+        return next((column for column in self.columns if column.id == id), None) or Column(id)
+
+    def texts(self):
+        """The cells of the columns that are shown, as texts."""
+        visible = [column for column in self.columns if column.shown]
+        return [[cell_text(row.get(column.id), column.form, column.least) for column in visible]
+                for row in self.rows]
+
+    def as_json(self):
+        columns = [{name: value for name, value in asdict(column).items()
+                    if value != getattr(Column, name, "")}
+                   for column in self.columns]
+        return {"id": self.id, "caption": self.caption, "columns": columns, "rows": rounded(self.rows, EXACT)}
+
+    @classmethod
+    def of_json(cls, kept):
+        """The table that as_json() wrote. A number that was NaN stays None."""
+        rows = [{name: _read(value) for name, value in row.items()} for row in kept["rows"]]
+        return cls(kept["id"], kept["caption"], [Column(**column) for column in kept["columns"]], rows)
+
+
+def _read(value):
+    """A value of a row that as_json() wrote."""
+    if isinstance(value, list):
+        return [_read(end) for end in value]
+    return known(value) if value in ("inf", "-inf") else value
+
+
+def is_number(value):
+    """Whether a value of a row is a number. None stands for a number that is not known."""
+    return value is None or isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def cell_text(value, form="", least=0):
+    """A value as text: whole numbers as they are, other numbers by `form`; a pair is a range."""
+    if least and is_number(value) and value is not None and value < least:
+        return f"below {number(least, 2)}"
+    if isinstance(value, (list, tuple)):
+        ends = list(dict.fromkeys(cell_text(end, form) for end in value))
+        return " – ".join(ends)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, str):
+        return value
+    if value is None or value != value or abs(value) == float("inf"):
+        return number(value)
+    if form:
+        return format(value, form)
+    return str(value) if isinstance(value, int) else number(value)

@@ -1,0 +1,52 @@
+/** The runs in groups with equal values on an axis: size of each group, and medians of its metrics. */
+import { html } from "../page/dom.js";
+import { number, titled } from "../page/numbers.js";
+import { sample } from "../charts/look.js";
+
+/**
+ * @param {import("./dimensions.js").Dimension} axis @param {import("./dimensions.js").Dimension[]} numbers
+ * @param {Object[]} runs @param {(ids: string[]) => void} choose
+ */
+export function groupTable(axis, numbers, runs, choose) {
+  const rows = axis.texts.map((text, at) => {
+    const own = runs.filter((run) => axis.text(run) === text);
+    if (!own.length) return null;
+    const name = html(
+      "button",
+      { type: "button", class: "opens", title: "Choose these runs", onclick: () => choose(own.map((run) => run.id)) },
+      sample(axis.looks[at], "mark"),
+      ` ${text}`,
+    );
+    return html(
+      "tr",
+      {},
+      html("td", { class: "t" }, name),
+      html("td", {}, String(own.length)),
+      ...numbers.map((each) => html("td", {}, number(median(own.map(each.of))))),
+    );
+  });
+  const heads = ["runs", ...numbers.map((each) => `median ${titled(each.label, each.unit)}`)];
+  return html(
+    "div",
+    { class: "scroll" },
+    html(
+      "table",
+      {},
+      html(
+        "thead",
+        {},
+        html("tr", {}, html("th", { class: "t" }, axis.label), ...heads.map((text) => html("th", {}, text))),
+      ),
+      html("tbody", {}, ...rows.filter(Boolean)),
+    ),
+  );
+}
+
+/** The median of the known numbers; a run that diverged has an infinite number. */
+export function median(values) {
+  const known = values.filter((x) => !Number.isNaN(x)).sort((a, b) => a - b);
+  if (!known.length) return NaN;
+  const middle = (known.length - 1) / 2;
+  const [low, high] = [known[Math.floor(middle)], known[Math.ceil(middle)]];
+  return low === high ? low : (low + high) / 2;
+}

@@ -1,0 +1,62 @@
+"""Models × meshes of the plain scenes as HTML: how many runs broke a bound. A cell opens these runs. A run is
+given as its object in summary.json, with its id in the page."""
+from figures.plain.shares import MIXED, WRONG, in_order
+from web.html_parts import escape, heading
+from bendlab.results.load import group
+from runs.plain_cases import SILENT
+
+STEPS = {1 / 8: "up to 1 in 8", 1 / 4: "up to 1 in 4", 3 / 8: "up to 3 in 8", 1: "more"}  # one colour each
+TITLE = "Models and meshes"
+
+
+def matrix_html(judged):
+    """The matrix of the covering arrays' runs with its caption; "" without runs."""
+    mixed = [run for run in judged if run["config"] in MIXED]
+    if not mixed:
+        return ""
+    place = lambda run: (run["settings"]["model"], run["settings"]["mesh"])
+    cells = group(mixed, place)
+    models, meshes = (in_order(axis, set(values))
+                      for axis, values in zip(("model", "mesh"), zip(*map(place, mixed))))
+    head = "".join(f"<th scope='col'>{escape(mesh)}</th>" for mesh in meshes)
+    rows = "".join(
+        f"<tr><th scope='row' class='t'>{escape(model)}</th>"
+        + "".join(_cell(f"{model} on {mesh}", cells.get((model, mesh), [])) for mesh in meshes) + "</tr>\n"
+        for model in models)
+    return (f"{heading('models-and-meshes', TITLE, 3)}<figure><div class='scroll' tabindex='0' role='region' "
+            f"aria-label='{TITLE}'><table class='shares matrix'><thead><tr><th class='t'>model</th>{head}"
+            f"</tr></thead><tbody>{rows}</tbody></table></div><figcaption>{_caption(mixed, len(judged))}"
+            "</figcaption></figure>")
+
+
+def _cell(name, runs):
+    if not runs:
+        return "<td>–</td>"
+    wrong = [run for run in runs if run["verdict"] in WRONG]
+    wrong.sort(key=lambda run: run["verdict"] != SILENT)
+    text = f"{len(wrong)}/{len(runs)}"
+    if not wrong:
+        return f"<td>{text}</td>"
+    silent = sum(run["verdict"] == SILENT for run in wrong)
+    step = next(i for i, most in enumerate(STEPS, 1) if len(wrong) <= most * len(runs))
+    label = (f"{name}: {len(wrong)} of {len(runs)} runs broke a bound, "
+             f"{silent or 'none'} of them without a warning")
+    look = f"step-{step}{' ring' if silent else ''}"
+    return (f"<td data-run='{escape(' '.join(run['id'] for run in wrong))}'><button type='button' "
+            f"class='{look}' aria-label='{escape(label)}'>{text}</button></td>")
+
+
+def _caption(mixed, runs):
+    """What the cells count, and what colours and rings mean. `runs`: number of runs on the page."""
+    text = ("Each cell: runs that broke a bound / all runs with this model on this mesh. The cells count the "
+            f"{len(mixed)} runs of the covering arrays, in which all other settings are mixed evenly; the "
+            f"tables below cover all {runs} runs.")
+    verdicts = {run["verdict"] for run in mixed}
+    if not verdicts & set(WRONG):
+        return f"{text} No run broke a bound."
+    ring = ("A ring marks a cell with a run that was wrong without a warning." if SILENT in verdicts
+            else "Each of these got a warning; a ring would mark a cell with a run that got none.")
+    keys = "".join(f"<span><span class='swatch step-{i}' aria-hidden='true'></span>{name}</span>"
+                   for i, name in enumerate(STEPS.values(), 1))
+    return (f"{text} A coloured cell opens the runs that broke a bound. {ring}<span class='key'>Share that "
+            f"broke a bound: {keys}</span>")
