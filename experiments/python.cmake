@@ -1,5 +1,5 @@
-# BENDLAB_PYTHON: a Python that has what the scripts in analysis/ import. The `python3` on PATH is often not
-# the one that the system's packages belong to (pyenv, conda, a virtual environment), so several are tried.
+# BENDLAB_PYTHON: a Python with the modules that the scripts in analysis/ import. The `python3` on PATH often
+# cannot import the system's packages (pyenv, conda, a virtual environment), so several Pythons are tried.
 set(BENDLAB_PYTHON_MODULES "numpy, h5py, matplotlib, xxhash")
 
 function(bendlab_python_works python result)
@@ -33,7 +33,7 @@ function(bendlab_find_python)
   endforeach()
   string(REPLACE ";" ", " tried "${candidates}")
   message(FATAL_ERROR "No Python with ${BENDLAB_PYTHON_MODULES} found (tried ${tried}). Install "
-    "python3-numpy, python3-h5py, python3-matplotlib and python3-xxhash, or name one that has them: "
+    "python3-numpy, python3-h5py, python3-matplotlib and python3-xxhash, or name a Python that has them: "
     "cmake --preset release -DBENDLAB_PYTHON=/path/to/python3")
 endfunction()
 

@@ -1,9 +1,9 @@
-# Run at every build (cmake -P): writes to OUTPUT what the program is built from, but only if that changed.
-# Arguments: SOURCE, OUTPUT, VERSION, COMPILER, FLAGS, BUILD_TYPE.
+# Run at every build (cmake -P). Writes to OUTPUT from which sources and with which compiler the program is
+# built, but only if this changed. Arguments: SOURCE, OUTPUT, VERSION, COMPILER, FLAGS, BUILD_TYPE.
 set(commit unknown)
 set(dirty false)
 find_program(GIT git)
-if(GIT AND EXISTS "${SOURCE}/.git")  # an unpacked archive may lie inside somebody else's checkout
+if(GIT AND EXISTS "${SOURCE}/.git")  # an unpacked archive may lie inside the checkout of another project
   execute_process(COMMAND ${GIT} rev-parse --verify HEAD WORKING_DIRECTORY "${SOURCE}"
     OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)
   if(NOT failed)
@@ -13,21 +13,22 @@ if(GIT AND EXISTS "${SOURCE}/.git")  # an unpacked archive may lie inside somebo
     WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE changes ERROR_QUIET)
   if(changes)
     set(dirty true)
-    # With files that git does not know yet.
+    # The patch includes files that git does not track yet.
     execute_process(COMMAND ${GIT} diff --binary HEAD -- lib experiments CMakeLists.txt CMakePresets.json
       WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE patch ERROR_QUIET)
     execute_process(COMMAND ${GIT} ls-files --others --exclude-standard -- lib experiments
-      WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE others ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
-    string(REPLACE "\n" ";" others "${others}")
-    foreach(other IN LISTS others)
-      execute_process(COMMAND ${GIT} diff --binary --no-index -- /dev/null "${other}"
+      WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE untracked ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+    string(REPLACE "\n" ";" untracked "${untracked}")
+    foreach(file IN LISTS untracked)
+      execute_process(COMMAND ${GIT} diff --binary --no-index -- /dev/null "${file}"
         WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE added ERROR_QUIET)
       string(APPEND patch "${added}")
     endforeach()
   endif()
 endif()
 
-# The changes since that commit, packed, for a folder beside results; none where they are too many.
+# The changes since that commit, compressed, which the program keeps in the folder of results. Left out if
+# they are longer than `most`.
 get_filename_component(folder "${OUTPUT}" DIRECTORY)
 set(packed "")
 set(patch_hash "")
@@ -56,7 +57,7 @@ if(NOT before STREQUAL "// ${patch_hash}")
     "constexpr char changes_hash[] = \"${patch_hash}\";\nconstexpr unsigned char changes[] = {${packed}0};\n")
 endif()
 
-# The sources that decide results: not how they are printed or chosen.
+# The sources that decide results. Sources that only print results or choose runs are left out.
 file(GLOB_RECURSE library LIST_DIRECTORIES false RELATIVE "${SOURCE}"
   "${SOURCE}/lib/bendlab/*.hpp" "${SOURCE}/lib/bendlab/*.cpp" "${SOURCE}/lib/bendlab/*.def")
 file(GLOB runner LIST_DIRECTORIES false RELATIVE "${SOURCE}"
@@ -74,7 +75,7 @@ string(SHA256 hash "${hashes}")
 string(SUBSTRING ${hash} 0 16 hash)
 
 string(REGEX REPLACE "[; ]+" " " FLAGS "${FLAGS}")
-string(REGEX REPLACE "-W[a-z-]+" "" FLAGS "${FLAGS}")  # warnings decide no result
+string(REGEX REPLACE "-W[a-z-]+" "" FLAGS "${FLAGS}")  # options for warnings affect no result
 string(REGEX REPLACE " +" " " FLAGS "${FLAGS}")
 string(STRIP "${FLAGS}" FLAGS)
 string(CONCAT text

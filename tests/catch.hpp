@@ -1,4 +1,4 @@
-// Catch2 2 (Debian 12) and 3 (Debian 13) under one roof.
+// Includes Catch2 2 (Debian 12) or 3 (Debian 13), and gives both the same names.
 #pragma once
 
 #if __has_include(<catch2/catch_test_macros.hpp>)

@@ -1,5 +1,5 @@
-// Includes go one way, in the library and above it in the experiments. CGAL stays in the mesh room's sources,
-// HDF5 in io.
+// A room (a folder of sources) includes only the rooms below it, both in the library and in the experiments
+// above the library. Only sources of the mesh room include CGAL, and only io includes HDF5.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 const fs::path library = fs::path(bendlab::places::source) / "lib" / "bendlab",
                experiments = fs::path(bendlab::places::source) / "experiments";
 
-/// Each room and the rooms it may include besides itself.
+/// Each room, and the rooms that it may include besides itself.
 using Rooms = std::map<std::string, std::set<std::string>>;
 const Rooms library_rooms = {
     {"parameters", {}},
@@ -33,7 +33,7 @@ const Rooms library_rooms = {
     {"io", {"parameters"}},
     {"scene", {"parameters", "mesh", "constraints", "bending", "effects", "solver", "metrics"}},
 };
-/// In the order of experiments/README.md; each sees the library besides.
+/// In the order of experiments/README.md. Every room may include the library, too.
 const std::vector<std::pair<std::string, std::set<std::string>>> experiment_rooms = {
     {"config", {}},
     {"measures", {"config"}},
@@ -46,7 +46,7 @@ const std::vector<std::pair<std::string, std::set<std::string>>> experiment_room
     {"cli", {"config", "measures", "run", "terminal", "campaign", "export", "advise", "bench"}},
 };
 
-/// What the #include lines of a file name.
+/// The names in the #include lines of a file.
 std::vector<std::string> includes_of(const fs::path& file) {
   static const std::regex pattern(R"(^\s*#\s*include\s*["<]([^">]+)[">])");
   std::vector<std::string> names;
@@ -66,12 +66,12 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
 }
 
 void check_rooms(const Rooms& rooms, const fs::path& folder, const std::string& prefix) {
-  std::set<std::string> found, known;
+  std::set<std::string> folders, known;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_directory()) found.insert(entry.path().filename().string());
-  for (const auto& [room, others] : rooms) known.insert(room);
-  CHECK(found == known);
-  for (const auto& [room, others] : rooms) {
+    if (entry.is_directory()) folders.insert(entry.path().filename().string());
+  for (const auto& [room, allowed] : rooms) known.insert(room);
+  CHECK(folders == known);
+  for (const auto& [room, allowed] : rooms) {
     const std::vector<fs::path> files = sources_in(folder / room);
     INFO("room " << room);
     REQUIRE_FALSE(files.empty());
@@ -79,20 +79,20 @@ void check_rooms(const Rooms& rooms, const fs::path& folder, const std::string& 
       for (const std::string& name : includes_of(file)) {
         INFO(file.string() << " includes " << name);
         CHECK_FALSE(name.starts_with("tests/"));
-        CHECK_FALSE(name.starts_with(".."));  // would slip past this test
+        CHECK_FALSE(name.starts_with(".."));  // such a path would escape the checks below
         if (prefix == "bendlab/") CHECK_FALSE(name.starts_with("experiments/"));
         if (!name.starts_with(prefix)) continue;
         const std::string other = name.substr(prefix.size(), name.find('/', prefix.size()) - prefix.size());
-        CHECK((other == room || others.contains(other)));
+        CHECK((other == room || allowed.contains(other)));
       }
   }
 }
 
-TEST_CASE("Includes of the library go one way", "[layout]") {
+TEST_CASE("Rooms of the library include only rooms below them", "[layout]") {
   check_rooms(library_rooms, library, "bendlab/");
 }
 
-/// The first words of the rows of the table "Where a thing is".
+/// The rooms that the table "Where a thing is" lists, in its order.
 std::vector<std::string> rooms_of_readme() {
   static const std::regex row(R"(^\| `(\w+)` \|)");
   std::vector<std::string> names;
@@ -102,18 +102,20 @@ std::vector<std::string> rooms_of_readme() {
   return names;
 }
 
-TEST_CASE("Includes of the experiments go one way, in the order of their README", "[layout]") {
+TEST_CASE("Rooms of the experiments include only rooms below them, in the order of their README",
+          "[layout]") {
   check_rooms({experiment_rooms.begin(), experiment_rooms.end()}, experiments, "experiments/");
   std::vector<std::string> above;
-  for (const auto& [room, others] : experiment_rooms) {
+  for (const auto& [room, allowed] : experiment_rooms) {
     INFO("room " << room);
-    for (const std::string& other : others) CHECK(std::ranges::count(above, other) == 1);
+    for (const std::string& other : allowed) CHECK(std::ranges::count(above, other) == 1);
     above.push_back(room);
   }
   CHECK(above == rooms_of_readme());
 }
 
-/// What the files of a room include of it, by names without extension: a header and its source are one.
+/// For each file of a room: the files of the same room that it includes. Names have no extension, so a header
+/// and its source count as one file.
 using Graph = std::map<std::string, std::set<std::string>>;
 Graph includes_within(const fs::path& folder) {
   Graph graph;
@@ -126,9 +128,9 @@ Graph includes_within(const fs::path& folder) {
   return graph;
 }
 
-TEST_CASE("Includes within a room of the experiments go round in no circle", "[layout]") {
-  for (const auto& [room, others] : experiment_rooms) {
-    if (room == "advise") continue;  // its answer and the reasons for it know each other
+TEST_CASE("Includes within a room of the experiments form no circle", "[layout]") {
+  for (const auto& [room, allowed] : experiment_rooms) {
+    if (room == "advise") continue;  // its answer and the reasons for the answer include each other
     Graph graph = includes_within(experiments / room);
     const auto is_leaf = [&](const auto& file) {
       return std::ranges::none_of(file.second, [&](const std::string& name) { return graph.contains(name); });
@@ -142,7 +144,7 @@ TEST_CASE("Includes within a room of the experiments go round in no circle", "[l
   }
 }
 
-TEST_CASE("CGAL stays in the sources of the mesh room and HDF5 in io", "[layout]") {
+TEST_CASE("Only sources of the mesh room include CGAL, and only io includes HDF5", "[layout]") {
   for (const char* folder : {"lib/bendlab", "experiments"}) {
     for (const fs::path& file : sources_in(fs::path(bendlab::places::source) / folder)) {
       for (const std::string& name : includes_of(file)) {

@@ -1,5 +1,5 @@
-// Where the checkout and its programs are. In a file of its own, because the object cache of a checkout that
-// was moved would otherwise miss every test.
+// Paths of the checkout and its programs. They have a file of their own: otherwise, after a checkout was
+// moved, no test could be taken from the object cache.
 #pragma once
 
 namespace bendlab::places {

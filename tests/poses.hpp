@@ -1,5 +1,5 @@
-// Poses in which a constraint's gradient may be rounding: right angles, lines, points, folds shut, and any;
-// every corner pinned or not.
+// Poses in which a constraint's gradient may consist of rounding only: right angles, lines, points, closed
+// folds, and random poses. Each corner is pinned or free, in all combinations.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace bendlab::test {
 
-// Corners of many poses of one constraint, each pose with vertices of its own.
+// Corners of many poses of one constraint. Each pose has its own vertices.
 template <std::size_t N>
 struct Poses {
   std::vector<std::array<Vector3, N>> rest, now;
@@ -19,12 +19,12 @@ struct Poses {
   std::size_t size() const { return now.size(); }
 };
 
-// A hinge, of which the first three corners are a triangle and the first two a segment: right angles at its
-// edge's ends, equilateral, or anything.
+// The four corners of a hinge: with right angles at the ends of its edge, equilateral, or random. Its first
+// three corners serve as a triangle, its first two as a segment.
 inline std::array<Vector3, 4> shape(std::mt19937_64& random, int kind) {
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
-  if (kind == 0) return {Vector3::Zero(), x, x + y, x - y};  // all right angles at one end
-  if (kind == 1) return {Vector3::Zero(), x, y, x - y};      // at both ends
+  if (kind == 0) return {Vector3::Zero(), x, x + y, x - y};  // all right angles at one end of the edge
+  if (kind == 1) return {Vector3::Zero(), x, y, x - y};      // right angles at both ends
   if (kind == 2) return {Vector3::Zero(), x, 0.5 * x + y, 0.5 * x - y};
   return {Vector3::Zero(), x * test::uniform(random, 0.5, 2),
           x * test::uniform(random, -1, 2) + y * test::uniform(random, 0.1, 2),
@@ -53,9 +53,9 @@ inline Vector3 deformed(std::mt19937_64& random, int how, std::size_t corner, co
     case 7:
       return Vector3::Zero();  // at a point
     case 8:
-      return corner == 1 ? all[2] : p;  // two corners at one place
+      return corner == 1 ? all[2] : p;  // two corners at the same place
     case 9:
-      return {p.x(), std::abs(p.y()), 0};  // shut
+      return {p.x(), std::abs(p.y()), 0};  // folded shut
     default:
       return {p.x(), std::abs(p.y()) * std::cos(3.0), p.y() * std::sin(3.0)};  // nearly shut
   }
@@ -84,7 +84,7 @@ Poses<N> poses(std::uint64_t seed, double unit) {
   return all;
 }
 
-/// The longest distance between its corners, at rest or now, m.
+/// The longest distance between two corners, at rest or now, m.
 template <std::size_t N>
 double size_of_pose(const std::array<Vector3, N>& now, const std::array<Vector3, N>& rest) {
   double size = 0;

@@ -1,5 +1,5 @@
-// Settings at random, from the tables that read configs: for properties of every valid config, and for the
-// fuzzer that looks for texts that break them.
+// Random settings, drawn from the tables that read configs. The tests of properties of every valid config use
+// them, and so does the fuzzer that looks for configs that break these properties.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace bendlab::test {
 
 using Random = std::mt19937_64;
 
-/// Whether an event of that probability happens.
+/// True with the given probability.
 inline bool chance(Random& random, double probability) {
   return static_cast<double>(random() >> 11) * 0x1p-53 < probability;
 }
@@ -27,7 +27,7 @@ const auto& one_of(Random& random, const List& list) {
   return list[random() % list.size()];
 }
 
-/// Among these settings a large value only takes long; runs at random have smaller ones.
+/// The largest value for random runs. Large values of these settings only make a run slow.
 inline double largest_quick(std::string_view name, double largest) {
   constexpr std::array<std::pair<std::string_view, double>, 9> quick = {{{"cells", 8},
                                                                          {"substeps", 8},
@@ -38,11 +38,12 @@ inline double largest_quick(std::string_view name, double largest) {
                                                                          {"ring", 4},
                                                                          {"frames_per_second", 1000},
                                                                          {"seed", 1000}}};
-  const auto found = std::ranges::find(quick, name, &std::pair<std::string_view, double>::first);
-  return found == quick.end() ? largest : std::min(largest, found->second);
+  const auto limit = std::ranges::find(quick, name, &std::pair<std::string_view, double>::first);
+  return limit == quick.end() ? largest : std::min(largest, limit->second);
 }
 
-/// A number that the row allows: often an end of its range; without an end, over twelve powers of ten.
+/// A number that the row allows: often an end of its range. If the range has no end, the number comes from
+/// twelve powers of ten.
 inline double random_number(const Field& row, Random& random) {
   const double highest = largest_quick(row.name, row.maximum);
   const bool low = std::isfinite(row.minimum), high = std::isfinite(highest);
@@ -56,7 +57,7 @@ inline double random_number(const Field& row, Random& random) {
   return std::min(row.minimum + size, highest);
 }
 
-/// A value that the row allows. null for a free text, which names a file or a change of settings.
+/// A value that the row allows. null for a free text: such a text names a file or a change of settings.
 inline Json random_value(const Field& row, Random& random) {
   const auto entries = [&](auto entry) {
     Json list = Json::array();
@@ -93,7 +94,7 @@ struct Change {
   Json value;
 };
 
-/// One effect with some of its settings. None that reads a file.
+/// An effect that reads no file, with a random part of its settings.
 inline Json random_effect(Random& random) {
   for (;;) {
     const EffectKind& effect = *one_of(random, effects());
@@ -105,7 +106,8 @@ inline Json random_effect(Random& random) {
   }
 }
 
-/// A setting of a section, the list of effects, or the settings of a bending model together with the model.
+/// Changes one setting of a section, or the list of effects. For a setting of a bending model, the model is
+/// changed with it.
 inline std::vector<Change> random_changes(Random& random) {
   if (chance(random, 0.2)) {
     Json list = Json::array();

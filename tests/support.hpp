@@ -29,7 +29,7 @@ inline std::vector<std::array<int, 2>> plain(const PairList& pairs) {
   return {pairs.begin(), pairs.end()};
 }
 
-/// A cloth with its bending model's springs, at rest in its rest shape, without effects.
+/// A cloth with the springs of its bending model, at rest in its rest shape, without effects.
 inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string_view model,
                              double density = 0.2) {
   SimulationInput input{.method = Pbd{}};
@@ -46,7 +46,7 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   return input;
 }
 
-/// A member of a family by its name, with settings changed from their defaults.
+/// A member of a family (such as an effect), with some settings changed from their defaults.
 using Changes = std::vector<std::pair<std::string, Value>>;
 template <class Kind>
 Chosen<Kind> chosen(const Kind& kind, const Changes& changes) {
@@ -62,7 +62,7 @@ inline Effect effect_of(std::string_view name, const Changes& changes = {}) {
   return chosen(*find_effect(name), changes);
 }
 
-/// The passes of an effect on a cloth, with one setting changed from its default (or none).
+/// The passes of an effect on a cloth. At most one setting is changed from its default.
 template <class Real>
 std::vector<Pass<Real>> effect_passes(std::string_view name, const RestMesh& rest, const Pins& pins,
                                       std::string_view setting = {}, Value value = {}) {
@@ -71,7 +71,7 @@ std::vector<Pass<Real>> effect_passes(std::string_view name, const RestMesh& res
   return bendlab::passes_of<Real>(effect, {rest, pins, {}, effect.kind().uses_contacts});
 }
 
-/// Of an effect that asks nothing of the cloth.
+/// The passes of an effect that does not depend on the cloth.
 template <class Real>
 std::vector<Pass<Real>> effect_passes(std::string_view name, std::string_view setting = {},
                                       Value value = {}) {

@@ -15,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-// Without model and method, which are named beside it.
+// The reason of a config error, without model and method, which the list of settings names already.
 std::string reason(const ConfigError& error, const std::string& model) {
   const ConfigProblem& problem = error.problems().front();
   std::string why = fmt::format("{} {}", problem.pointer, problem.message);
@@ -25,7 +25,7 @@ std::string reason(const ConfigError& error, const std::string& model) {
   return why;
 }
 
-// Adds it, together with what has the same reason.
+// Adds `what` to the list. Entries with the same reason are joined.
 void leave_out(std::vector<LeftOut>& left_out, const std::string& what, const std::string& why) {
   const auto same = std::ranges::find(left_out, why, &LeftOut::why);
   if (same == left_out.end())
@@ -41,10 +41,10 @@ bool asked_for(const std::vector<std::string>& names, std::string_view name) {
 class Advisor {
  public:
   Advisor(const Question& question, const AdviceOptions& options,
-          const std::function<void(const std::string&)>& tell)
+          const std::function<void(const std::string&)>& report)
       : question_(question),
         options_(options),
-        tell_(tell),
+        report_(report),
         runs_(question, options.campaign, options.time_limit_s) {}
 
   Advice advise() {
@@ -56,7 +56,7 @@ class Advisor {
     const std::vector<SettingKind> probe = possible({kind_of(reference.probe)});
     kinds.insert(kinds.begin(), probe.begin(), probe.end());
     if (!reference.tells()) choose(run({reference.probe}));
-    // The reference of a motion is exact to its own time step only.
+    // The reference of a motion is only as exact as its own time step.
     constexpr int most = 512;
     Search search(
         options_.demand, reference.of == ErrorOf::motion ? std::min(most, reference.substeps / 4) : most,
@@ -66,20 +66,20 @@ class Advisor {
     while (goes_on && choose(search.trials()))
       goes_on = !runs_.over() &&
                 (search.run(possible(neighbours(advice_.choice->setting))) || reject_creeping(search));
-    say_what_is_behind();
+    list_behind_front();
     advice_.exit_code = runs_.exit_code(), advice_.computed = runs_.computed();
     return advice_;
   }
 
  private:
-  // ---- what is tried
+  // ---- settings to try
 
   static SettingKind kind_of(const Setting& setting) {
     return {setting, {{setting.substeps, setting.iterations}}};
   }
 
-  // What was the best of measured scenes, on the config's mesh and on half as many cells; the config's own.
-  // Models that are asked for are tried with every solver.
+  // The best settings of measured scenes, on the config's mesh and on half as many cells, and the config's
+  // own setting. Models that the user asks for are tried with every solver.
   std::vector<SettingKind> kinds_to_begin_with() const {
     std::vector<SettingKind> kinds;
     const int cells = question_.cells_that_may_vary();
@@ -94,20 +94,20 @@ class Advisor {
     return kinds;
   }
 
-  // From the best so far: other models with its solver, and other meshes.
+  // From the best setting so far: other models with its solver, and other meshes.
   std::vector<SettingKind> neighbours(const Setting& setting) const {
-    std::vector<SettingKind> found;
+    std::vector<SettingKind> kinds;
     for (const BendingKind* model : bending_models())
-      found.push_back(kind_of(setting)), found.back().setting.model = model->name;
-    const int all = question_.cells_that_may_vary(), now = setting.cells > 0 ? setting.cells : all;
+      kinds.push_back(kind_of(setting)), kinds.back().setting.model = model->name;
+    const int all = question_.cells_that_may_vary(), current = setting.cells > 0 ? setting.cells : all;
     for (const double factor : {0.5, 0.75, 4.0 / 3, 2.0})
-      if (const int cells = static_cast<int>(std::lround(now * factor));
+      if (const int cells = static_cast<int>(std::lround(current * factor));
           cells >= fewest_cells && cells <= all)
-        found.push_back(kind_of(setting)), found.back().setting.cells = cells == all ? 0 : cells;
-    return found;
+        kinds.push_back(kind_of(setting)), kinds.back().setting.cells = cells == all ? 0 : cells;
+    return kinds;
   }
 
-  // Those that are asked for and that the scene allows; says why it does not.
+  // The kinds that are asked for and that the scene allows. Lists the other kinds with the reason.
   std::vector<SettingKind> possible(const std::vector<SettingKind>& kinds) {
     std::vector<SettingKind> allowed;
     for (const SettingKind& kind : kinds) {
@@ -128,19 +128,20 @@ class Advisor {
 
   // ---- runs
 
-  // What came of those that are expected to end in time, and did.
+  // Runs the settings that are expected to end in time. Returns the trials that did.
   std::vector<Trial> run(const std::vector<Setting>& settings) {
-    std::vector<Trial> found;
-    if (runs_.over()) return found;
+    std::vector<Trial> trials;
+    if (runs_.over()) return trials;
     std::vector<Setting> begun;
     for (const Setting& setting : settings)
       (runs_.in_time(setting, advice_.reference.accuracy) ? begun : advice_.not_tried).push_back(setting);
     for (Trial& trial : runs_.execute(begun, advice_.reference.accuracy, runs_.left_s()))
-      if (is_measured(trial)) found.push_back(std::move(trial));
-    return found;
+      if (is_measured(trial)) trials.push_back(std::move(trial));
+    return trials;
   }
 
-  // Compares its strain and stretch with the reference's. False if it was stopped, or failed.
+  // Compares the strain and stretch of a trial with those of the reference. False if the run was stopped, or
+  // failed.
   bool is_measured(Trial& trial) {
     const std::string text = setting_text(trial.setting);
     if (trial.unfinished) advice_.not_tried.push_back(trial.setting);
@@ -150,18 +151,18 @@ class Advisor {
       trial.more_strain = std::max(0.0, trial.strain - reference.strain);
       trial.stretch = std::max(1.0, trial.stretch / reference.stretch);
     }
-    std::string came = "error " + percent_text(trial.error);
+    std::string result = "error " + percent_text(trial.error);
     if (!std::isfinite(trial.error)) {
-      came = fmt::format("unfit ({})", unfit(trial));
-      if (unfit(trial) == "error") leave_out(advice_.left_out, text, came = "no error: " + trial.why);
+      result = fmt::format("unfit ({})", unfit(trial));
+      if (unfit(trial) == "error") leave_out(advice_.left_out, text, result = "no error: " + trial.why);
     }
-    tell_(fmt::format("{}: {}, {:.3g} ms per frame", text, came, 1e3 * trial.cpu_s));
+    report_(fmt::format("{}: {}, {:.3g} ms per frame", text, result, 1e3 * trial.cpu_s));
     return true;
   }
 
-  // Iterations that have not converged lag behind the motion: a pose may be right by accident, on its way to
-  // another. So the choice is run for longer, and its error has to stay. False when it does, or the time is
-  // over.
+  // With iterations that have not converged, the cloth lags behind its motion: a pose may be right by
+  // accident, on the way to another pose. So the choice is run for longer, and its error has to stay. False
+  // if it stays, or if the time is over.
   bool reject_creeping(Search& search) {
     const Trial& choice = *advice_.choice;
     const Json& accuracy = advice_.reference.accuracy;
@@ -172,8 +173,8 @@ class Advisor {
     const Trial later = runs_.execute({choice.setting}, accuracy, runs_.left_s(), longer).front();
     if (runs_.over() || later.error <= much_the_same * choice.error + small) return false;
     ++creeping_;
-    creeps_ = fmt::format("{}: error {}, and {} after {:.0f} times as long", setting_text(choice.setting),
-                          percent_text(choice.error),
+    creeps_ = fmt::format("{}: error {}, but {} after a run {:.0f} times as long",
+                          setting_text(choice.setting), percent_text(choice.error),
                           std::isfinite(later.error) ? percent_text(later.error) : "unknown", longer);
     search.reject(choice.setting);
     return true;
@@ -181,7 +182,7 @@ class Advisor {
 
   // ---- the answer
 
-  // The best so far. False if there is none.
+  // Chooses the best trial so far. False if there is no trial.
   bool choose(const std::vector<Trial>& trials) {
     KnownReference& reference = advice_.reference;
     const Demand& demand = options_.demand;
@@ -189,14 +190,14 @@ class Advisor {
     advice_.trials = trials;
     advice_.front = front_of(trials);
     advice_.choice = choice_of(trials, demand);
-    // Errors smaller than the reference's own are not known.
+    // Errors smaller than the error of the reference itself are unknown.
     advice_.is_met = advice_.choice && meets(*advice_.choice, demand) && reference.tells() &&
                      !(demand.error && reference.gap.value_or(0) >= *demand.error);
     return advice_.choice.has_value();
   }
 
-  // Lists the best setting of each model and of each method that has none on the front as it is shown.
-  void say_what_is_behind() {
+  // Lists the best setting of each model and of each method that has no setting on the front that is shown.
+  void list_behind_front() {
     for (const auto group : {&Setting::method, &Setting::model}) {
       std::map<std::string, std::vector<Trial>> behind;
       for (const Trial& trial : advice_.trials) behind[trial.setting.*group].push_back(trial);
@@ -211,7 +212,7 @@ class Advisor {
   std::string best_text(const std::vector<Trial>& trials) const {
     const auto order = [&](const Trial& trial) { return score(trial, options_.demand); };
     const Trial best = *std::ranges::min_element(trials, {}, order);
-    return fmt::format("best of {} measured: {} in {:.3g} ms{}{} ({})", trials.size(),
+    return fmt::format("best of {} measured settings: {} in {:.3g} ms{}{} ({})", trials.size(),
                        std::isfinite(best.error) ? "error " + percent_text(best.error) : "no error",
                        1e3 * best.cpu_s, unfit(best).empty() ? "" : ", unfit: ", unfit(best),
                        setting_text(best.setting));
@@ -219,19 +220,19 @@ class Advisor {
 
   const Question& question_;
   const AdviceOptions& options_;
-  const std::function<void(const std::string&)>& tell_;
+  const std::function<void(const std::string&)>& report_;
   Runs runs_;
-  std::optional<ConfigError> refused_;  // the first reason why a setting cannot be
+  std::optional<ConfigError> refused_;  // the first reason why a setting is impossible
   std::size_t creeping_ = 0;            // settings whose pose did not stay
-  std::string creeps_;                  // the last of them
+  std::string creeps_;                  // the last such setting
   Advice advice_;
 };
 
 }  // namespace
 
 Advice advise(const Question& question, const AdviceOptions& options,
-              const std::function<void(const std::string&)>& tell) {
-  return Advisor(question, options, tell).advise();
+              const std::function<void(const std::string&)>& report) {
+  return Advisor(question, options, report).advise();
 }
 
 }  // namespace bendlab

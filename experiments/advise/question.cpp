@@ -33,13 +33,13 @@ void check_is_one_scene(const Experiment& experiment, const std::string& source)
   for (const auto& [pointer, values] : experiment.axes)
     if (values.size() > 1) choice += fmt::format(" --set {}=VALUE", pointer);
   if (experiment.runs.size() != 1)
-    throw ConfigError(source,
-                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with{}",
-                                              experiment.runs.size(), choice)}});
+    throw ConfigError(
+        source, {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose the scene with{}",
+                                        experiment.runs.size(), choice)}});
   for (const auto& [pointer, values] : experiment.axes)
     if (lies_within(pointer, "/solver") && pointer != "/solver")
       throw ConfigError(source, {{child_pointer("/sweep", pointer),
-                                  "sweeps a part of what is to be advised: write the value in /solver"}});
+                                  "sweeps a setting that is to be advised: write its value in /solver"}});
 }
 
 void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
@@ -49,21 +49,20 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
         source,
         {{"/bending/stiffness",
           fmt::format(
-              "is {}, which makes another cloth with every model and setting, so that no result is the right "
-              "one; state the cloth: \"bending\": {{\"stiffness\": \"physical\", "
-              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5); springs have it at "
-              "\"at_curvature\", 20/m if that is absent",
+              "is {}, which makes another cloth with every model and setting, so no result is right; state "
+              "the cloth: \"bending\": {{\"stiffness\": \"physical\", \"flexural_rigidity\": B}}, B in N m "
+              "(cotton about 1e-5); springs have this rigidity at \"at_curvature\" (20/m by default)",
               value_at(scene.resolved(), "/bending/stiffness")->get<std::string>())}});
   if (!bending.model.kind().bends && !bending.flexural_rigidity)
-    throw ConfigError(
-        source, {{"/bending/model",
-                  "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
-                  "spring model that quartic_coefficient is for"}});
+    throw ConfigError(source, {{"/bending/model",
+                                "is none, which has no bending stiffness: set flexural_rigidity (in N m), or "
+                                "choose the spring model for quartic_coefficient"}});
   const Accuracy& accuracy = scene.settings().accuracy;
   if (accuracy.solver && !accuracy.physical)
-    throw ConfigError(source, {{"/accuracy/physical",
-                                "is missing: models are compared with one stated cloth, but /accuracy/solver "
-                                "compares each with itself. Name the reference here, or remove /accuracy"}});
+    throw ConfigError(source,
+                      {{"/accuracy/physical",
+                        "is missing: models are compared with one stated cloth, but /accuracy/solver "
+                        "compares a model with itself. Name the reference here, or remove /accuracy"}});
 }
 
 }  // namespace
@@ -82,7 +81,7 @@ Question::Question(fs::path file, std::vector<std::string> overrides)
   own_solver_ = experiment.settings.value("solver", Json::object());
   const Json& stated = experiment.settings.value("bending", Json::object());
   rigidity_is_default_ = !stated.contains("flexural_rigidity") && !stated.contains("quartic_coefficient");
-  // Hinges for a flexural rigidity; only springs make a quartic cloth.
+  // Hinges represent a flexural rigidity; only springs represent a quartic cloth.
   const Bending& bending = scene_.scene().bending;
   reference_model_ = bending.flexural_rigidity ? first_with(bending_models(), &BendingKind::is_reference).name
                                                : bending.model.name();
@@ -195,7 +194,7 @@ Experiment Question::experiment_with(const Setting& setting, const Json& accurac
   if (!of_the_end || times != 1) overrides.emplace_back("/settled_speed=0");
   if (times != 1) overrides.push_back(fmt::format("/duration={}", times * scene_.scene().duration));
   Experiment experiment = load_experiment(file_, overrides);
-  experiment.allow = {"implausible"};  // the answer says which settings are
+  experiment.allow = {"implausible"};  // the advice says which runs are implausible
   experiment.axes.clear(), experiment.runs.front().point.clear();
   for (const std::string pointer : {"/bending/model", "/solver", "/mesh/cells"})
     if (const Json* value = value_at(experiment.settings, pointer)) {
@@ -212,7 +211,7 @@ Json Question::written(const Setting& setting, const fs::path& folder) const {
   apply_overrides(document, overrides_with(setting), problems);
   if (!problems.empty()) throw ConfigError(file_.string(), std::move(problems));
   document.erase("accuracy");
-  const Json sweep = document.value("sweep", Json::object());  // of one value each
+  const Json sweep = document.value("sweep", Json::object());  // every axis has one value
   document.erase("sweep");
   for (const auto& [pointer, values] : sweep.items()) set_at(document, pointer, values.front());
   Json expect = Json::array();

@@ -17,32 +17,33 @@ double least(const std::vector<Trial>& trials, double Trial::*value) {
   return (*std::ranges::min_element(trials, {}, value)).*value;
 }
 
-// Why these trials, all unfit, are unfit: how many for which reason, and how far the best of them is off.
+// Why trials are unfit, if all are unfit: how many trials for each reason, and the value of the best trial.
 std::string unfit_text(const std::vector<Trial>& trials, double reference_strain) {
-  std::map<std::string_view, std::vector<Trial>> because;
-  for (const Trial& trial : trials) because[unfit(trial)].push_back(trial);
+  std::map<std::string_view, std::vector<Trial>> by_reason;
+  for (const Trial& trial : trials) by_reason[unfit(trial)].push_back(trial);
   std::vector<std::string> parts;
-  if (const auto& those = because["implausible"]; !those.empty())
-    parts.push_back(fmt::format("{} gave an implausible run", those.size()));
-  if (const auto& those = because["strain"]; !those.empty())
+  if (const auto& rejected = by_reason["implausible"]; !rejected.empty())
+    parts.push_back(fmt::format("{} gave an implausible run", rejected.size()));
+  if (const auto& rejected = by_reason["strain"]; !rejected.empty())
     parts.push_back(
-        fmt::format("{} stretched the cloth by more than {}{} (rms; the least: {})", those.size(),
+        fmt::format("{} stretched the cloth by more than {}{} (rms; the smallest: {})", rejected.size(),
                     percent_text(largest_strain),
                     reference_strain > 0.01 * largest_strain
                         ? fmt::format(" beyond the {} of the reference", percent_text(reference_strain))
                         : "",
-                    percent_text(least(those, &Trial::more_strain))));
-  if (const auto& those = because["stretch"]; !those.empty())
+                    percent_text(least(rejected, &Trial::more_strain))));
+  if (const auto& rejected = by_reason["stretch"]; !rejected.empty())
     parts.push_back(
-        fmt::format("{} stretched a triangle to more than {} times its length (the least: {:.3g})",
-                    those.size(), largest_stretch, least(those, &Trial::stretch)));
-  if (const auto& those = because["error"]; !those.empty())
-    parts.push_back(fmt::format("{} had more than {} of error (the least: {})", those.size(),
-                                percent_text(largest_error), percent_text(least(those, &Trial::error))));
+        fmt::format("{} stretched a triangle to more than {} times its length (the smallest: {:.3g})",
+                    rejected.size(), largest_stretch, least(rejected, &Trial::stretch)));
+  if (const auto& rejected = by_reason["error"]; !rejected.empty())
+    parts.push_back(fmt::format("{} had more than {} of error (the smallest: {})", rejected.size(),
+                                percent_text(largest_error), percent_text(least(rejected, &Trial::error))));
   return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
-// If settings agree with each other, something else is wrong.
+// Whether all settings have about the same error. If the settings agree with each other, something else is
+// wrong.
 bool all_alike(const std::vector<Trial>& trials) {
   constexpr std::size_t enough = 4;
   constexpr double alike = 1.1;
@@ -54,13 +55,13 @@ bool all_alike(const std::vector<Trial>& trials) {
 std::string reference_text(const KnownReference& reference) {
   if (!(reference.strain <= largest_reference_strain))
     return fmt::format(
-        "The reference itself is stretched by {} (rms), as no cloth is, so that errors against it mean "
-        "nothing: it flew apart, or lengths are not in metres, the density not in kg/m² or the membrane's "
-        "compliance not in m/N.",
+        "The reference itself is stretched by {} (rms), more than any cloth, so errors against it mean "
+        "nothing: it flew apart, or lengths are not in metres, the density is not in kg/m², or the "
+        "membrane's compliance is not in m/N.",
         percent_text(reference.strain));
   return fmt::format(
-      "The reference itself is known to {} only, so that errors against it mean nothing: cloth that falls "
-      "and folds moves chaotically. A shorter /duration is known better.",
+      "The reference itself has an error of {}, so errors against it mean nothing: cloth that falls and "
+      "folds moves chaotically. With a shorter /duration the reference is more accurate.",
       percent_text(*reference.gap));
 }
 
@@ -71,7 +72,7 @@ std::string budget_text(const Advice& advice, double budget) {
   if (within.empty())
     return fmt::format("Nothing is that fast: the fastest setting takes {:.3g} ms.",
                        1e3 * least(advice.trials, &Trial::cpu_s));
-  return fmt::format("Nothing fit was found within that time. Of {} that fast, {}",
+  return fmt::format("No fit setting was found within that time. Of {} that fast, {}",
                      counted(within.size(), "setting"), unfit_text(within, advice.reference.strain));
 }
 
@@ -84,23 +85,23 @@ std::vector<std::string> why_none(const Advice& advice, const AdviceOptions& opt
   const Demand& demand = options.demand;
   if (demand.error && advice.reference.gap.value_or(0) >= *demand.error)
     sentences.push_back(
-        fmt::format("The reference itself is known to {} only: cloth that falls and folds moves chaotically.",
+        fmt::format("The reference itself has an error of {}: cloth that falls and folds moves chaotically.",
                     percent_text(*advice.reference.gap)));
   if (advice.trials.empty())
     sentences.emplace_back("No setting gave an error.");
   else if (advice.front.empty())
-    sentences.push_back(fmt::format("Of {} run, {}", counted(advice.trials.size(), "setting"),
+    sentences.push_back(fmt::format("Of {} tried, {}", counted(advice.trials.size(), "setting"),
                                     unfit_text(advice.trials, advice.reference.strain)));
   else if (demand.cpu_s)
     sentences.push_back(budget_text(advice, *demand.cpu_s));
   if (advice.front.empty() && all_alike(advice.trials))
     sentences.emplace_back(
-        "They all agree with each other, but not with the reference: the cloth has not come to rest by the "
-        "end of /duration, or it rests in another pose than the reference.");
+        "All settings agree with each other, but not with the reference: the cloth has not come to rest by "
+        "the end of /duration, or it rests in another pose than the reference.");
   if (const std::size_t count = advice.not_tried.size(); count > 0)
     sentences.push_back(fmt::format(
-        "{} not tried within the time limit ({:.4g} s): the same command goes on with them, and "
-        "gets further with a longer --time-limit.",
+        "{} not tried within the time limit ({:.4g} s): run the same command again to go on, or give a "
+        "longer --time-limit.",
         count == 1 ? "A setting was" : fmt::format("{} settings were", count), options.time_limit_s));
   return sentences;
 }

@@ -11,8 +11,8 @@
 namespace bendlab {
 namespace {
 
-constexpr double share_of_reference = 0.25;  // of the time that is left, as forecast
-constexpr double share_of_a_try = 0.4;       // the same, until a coarser one is tried
+constexpr double share_of_reference = 0.25;  // of the time that is left, for a forecast reference
+constexpr double share_of_a_try = 0.4;       // of the time that is left, until a coarser reference is tried
 
 class ReferenceChooser {
  public:
@@ -22,15 +22,16 @@ class ReferenceChooser {
   // If there is no equilibrium, the motion is compared.
   KnownReference choose() {
     const ErrorOf of = error_of_.value_or(question_.natural_error());
-    if (!found_one_of(of) && runs_.exit_code() == 0) found_one_of(ErrorOf::motion);
+    if (!find_reference(of) && runs_.exit_code() == 0) find_reference(ErrorOf::motion);
     return known_;
   }
 
  private:
-  // The finest that fits into its share of the time: a motion with fewer substeps, then either on half as
-  // many cells, where errors are nearly the same; a reference on fewer says little about a fine mesh. False
-  // if the scene has none, or with an exit code.
-  bool found_one_of(ErrorOf of) {
+  // Finds the finest reference that fits into its share of the time. A motion first gets fewer substeps. Then
+  // either kind of reference gets half as many cells, where errors are nearly the same; a reference on even
+  // fewer cells says little about a fine mesh. False if the scene has no such reference, or with an exit
+  // code.
+  bool find_reference(ErrorOf of) {
     const int half = of == ErrorOf::own ? 0 : question_.cells_that_may_vary() / 2;
     const std::vector<int> meshes = half >= fewest_cells ? std::vector{0, half} : std::vector{0};
     const std::vector<int> motions =
@@ -42,21 +43,20 @@ class ReferenceChooser {
         static_cast<Reference&>(known_) = {.of = of, .cells = cells, .substeps = substeps};
         expected_s = expected();
         if (of != ErrorOf::own && expected_s > share_of_reference * runs_.left_s()) continue;
-        const std::optional<bool> found =
+        const std::optional<bool> exists =
             of == ErrorOf::rest ? try_equilibrium(cells != meshes.back()) : try_motion();
-        if (found || runs_.exit_code() != 0) return found.value_or(false);
+        if (exists || runs_.exit_code() != 0) return exists.value_or(false);
         too_slow = true;
         break;
       }
     throw std::runtime_error(fmt::format(
-        "nothing can be advised within --time-limit ({:.3g} s): the reference alone {}, even at its "
-        "coarsest. "
-        "Give --time-limit {:.0f}s; the same command goes on with it",
+        "no advice is possible within --time-limit ({:.3g} s): the reference alone {}, even at its coarsest. "
+        "Give --time-limit {:.0f}s; with it, the same command goes on where this one stopped",
         limit_s_, too_slow ? "takes too long" : "is expected to take " + duration_text(expected_s),
         std::ceil(too_slow ? 4 * limit_s_ : 1.5 * expected_s / share_of_reference)));
   }
 
-  // CPU seconds, with the coarser one that shows its error.
+  // The expected CPU seconds of the reference, and of the coarser reference that shows its error.
   double expected() const {
     const RunConfig config =
         question_.experiment_with(question_.own_setting(), question_.accuracy(known_)).runs.front();
@@ -67,9 +67,10 @@ class ReferenceChooser {
     return seconds;
   }
 
-  // Is the equilibrium found from a run's end the one found from its start? If not, the scene has many, and
-  // each run needs one of its own: that has to be quick. The search from the start may take much longer, and
-  // then finds another one. Nothing if it takes too long, false if there is none.
+  // Compares the equilibrium found from a run's end with the equilibrium found from its start. If they
+  // differ, the scene has many equilibria, and each run needs a reference of its own, which has to be quick.
+  // A search from the start may take much longer, and then finds another equilibrium. Nothing if the search
+  // takes too long, false if there is no equilibrium.
   std::optional<bool> try_equilibrium(bool may_be_coarser) {
     constexpr double same = 0.002;        // of the size
     constexpr double longest_try = 0.15;  // of the time that is left
@@ -87,7 +88,7 @@ class ReferenceChooser {
     if (!has_near && !has_first) {
       if (!error_of_ && !near.diverged) return false;
       throw std::runtime_error("there is no equilibrium to measure errors against: " +
-                               (near.unfinished ? "none was found in time" : near.why) +
+                               (near.unfinished ? "the search did not end in time" : near.why) +
                                "; --what motion compares the motion instead");
     }
     known_.start_from_end = has_near && !(std::abs(first.error - near.error) <= same);
@@ -96,19 +97,19 @@ class ReferenceChooser {
     return true;
   }
 
-  // The same of a motion, or of the config's own reference.
+  // Like try_equilibrium(), for a motion, or for the config's own reference.
   std::optional<bool> try_motion() {
-    const Trial found = probe();
-    if (found.unfinished) return std::nullopt;
-    if (!std::isfinite(found.error))
-      throw std::runtime_error("there is nothing to measure errors against: " + found.why);
-    keep(found);
+    const Trial trial = probe();
+    if (trial.unfinished) return std::nullopt;
+    if (!std::isfinite(trial.error))
+      throw std::runtime_error("there is no reference to measure errors against: " + trial.why);
+    keep(trial);
     return true;
   }
 
-  // The run that is compared with the reference first: the config's own; if that flies apart, because from
-  // its pose the search for an equilibrium would take long and find none, the reference's model with ever
-  // more substeps.
+  // The run that is compared with the reference first: the config's own setting. If its cloth flies apart, a
+  // search for an equilibrium from its pose would take long and fail. Then it is the reference's model, with
+  // more and more substeps.
   Trial probe() {
     const double end_s = (1 - share_of_a_try) * runs_.left_s();
     std::vector<Setting> settings = {question_.own_setting()};
@@ -116,22 +117,22 @@ class ReferenceChooser {
       settings.push_back({.model = question_.reference_model(),
                           .method = std::string(method_that_projects().name()),
                           .substeps = substeps});
-    const auto is_unusable = [](const Trial& found) {
-      return found.failed || found.diverged || found.strain > largest_reference_strain;
+    const auto is_unusable = [](const Trial& run) {
+      return run.failed || run.diverged || run.strain > largest_reference_strain;
     };
-    Trial found;
+    Trial trial;
     for (Setting& setting : settings) {
-      setting.cells = known_.cells, found = {};
+      setting.cells = known_.cells, trial = {};
       if (known_.of == ErrorOf::rest && setting != settings.back())
-        found = runs_.execute({setting}, Json::object(), runs_.left_s() - end_s).front();
-      if (!is_unusable(found))
-        found = runs_.execute({setting}, question_.accuracy(known_), runs_.left_s() - end_s).front();
-      if (!is_unusable(found)) break;
+        trial = runs_.execute({setting}, Json::object(), runs_.left_s() - end_s).front();
+      if (!is_unusable(trial))
+        trial = runs_.execute({setting}, question_.accuracy(known_), runs_.left_s() - end_s).front();
+      if (!is_unusable(trial)) break;
     }
-    return found;
+    return trial;
   }
 
-  // Finds how the reference itself is stretched: a membrane with a compliance stretches rightly.
+  // Stores the reference with its own strain and stretch: a membrane with a compliance may stretch.
   void keep(const Trial& probe) {
     known_.accuracy = question_.accuracy(known_), known_.probe = probe.setting;
     known_.gap = runs_.reference_gap();

@@ -24,7 +24,7 @@ std::chrono::nanoseconds duration_of(double seconds) {
 }
 
 // CPU seconds of the steps, per frame. A run that is too short to be timed is simulated again, without
-// recording, until that took long enough, or the time is over.
+// recording, until the repeats took long enough, or the time is over.
 double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome, const std::atomic<bool>& stop) {
   constexpr double least = 1e-9, rounding = 1e-9, long_enough = 0.05;  // s
   constexpr int most_repeats = 20;
@@ -46,7 +46,7 @@ double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome, const s
                   (repeats > 0 ? seconds / repeats : outcome.step_cpu_s) / simulated / frames_per_second);
 }
 
-// What is not finite counts as stretched without bound.
+// A value that is not finite counts as infinite.
 double or_endless(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }

@@ -12,30 +12,30 @@ namespace bendlab {
 
 class Runs {
  public:
-  /// The time begins now. Runs lie below <out>/advise/<name>.
+  /// The time limit starts now. Runs lie below <out>/advise/<name>.
   Runs(const Question& question, CampaignOptions campaign, double time_limit_s);
 
   double left_s() const;
   bool over() const { return exit_code_ != 0 || left_s() <= 0; }
-  /// Of a signal, or of an error that every run would have (files, mesh).
+  /// The code of a signal, or of an error that every run would have (files, mesh); else 0.
   int exit_code() const { return exit_code_; }
   int computed() const { return computed_; }  ///< number of runs that were not complete before
-  /// The reference's own error, in sizes of the mesh, if a run had one.
+  /// The reference's own error, in sizes of the mesh, if a run's summary has it.
   std::optional<double> reference_gap() const { return gap_; }
 
-  /// Runs settings side by side, those that are expected to be short first, `times` as long as the scene, and
-  /// stops what takes longer than so many seconds, or than the time limit. Their strain and stretch are not
-  /// compared with the reference yet. With an exit code all are unfinished.
+  /// Runs settings side by side, `times` as long as the scene. Runs that are expected to be short come first.
+  /// Stops runs that take longer than `seconds`, or than the time limit. Strain and stretch of the trials are
+  /// not compared with the reference yet. With an exit code all trials are unfinished.
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 
-  /// Whether a run is there, or expected to end in time.
+  /// Whether a run's file exists, or the run is expected to end in time.
   bool in_time(const Setting& setting, const Json& accuracy, double times = 1) const;
 
   /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
   double expected_per_frame(const Setting& setting) const;
 
-  /// Strain and stretch of the reference that a run was compared with; none if it does not exist.
+  /// Strain and stretch of the reference that a run was compared with; 0 and 1 if it does not exist.
   Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:

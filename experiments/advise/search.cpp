@@ -32,11 +32,11 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   for (const SettingKind& kind : kinds) add(kind);
   for (bool any = false;; any = true) {
     const std::vector<Setting> settings = next();
-    const std::vector<Trial> found = settings.empty() ? std::vector<Trial>() : run_(settings);
+    const std::vector<Trial> trials = settings.empty() ? std::vector<Trial>() : run_(settings);
     for (const Setting& setting : settings)
-      if (std::ranges::find(found, setting, &Trial::setting) == found.end()) reject(setting);
-    if (found.empty()) return any;
-    for (const Trial& trial : found) {
+      if (std::ranges::find(trials, setting, &Trial::setting) == trials.end()) reject(setting);
+    if (trials.empty()) return any;
+    for (const Trial& trial : trials) {
       trials_.push_back(trial);
       for (Candidate& kind : kinds_)
         if (same_kind(kind.start, trial.setting)) kind.trials.push_back(trial);
@@ -44,8 +44,9 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   }
 }
 
-// For a time a kind starts with the most work that is expected to be within it; for an error, which no one
-// can expect, with the middle of the works that were the best somewhere.
+// If the demand is a time, a kind starts with the most work that is expected to fit into that time. If the
+// demand is an error, which cannot be forecast, a kind starts with the middle of the works that were the best
+// of a measured scene.
 void Search::add(const SettingKind& kind) {
   if (std::ranges::any_of(known_, [&](const Setting& known) { return same_kind(known, kind.setting); }))
     return;
@@ -55,7 +56,7 @@ void Search::add(const SettingKind& kind) {
   for (const auto& [substeps, iterations] : kind.works) {
     by_work.push_back(kind.setting);
     by_work.back().substeps = substeps, by_work.back().iterations = iterations;
-    constexpr int further = 2;  // than what was the best of measured scenes
+    constexpr int further = 2;  // times the iterations that were the best of a measured scene
     most_iterations = std::max(most_iterations, further * iterations);
   }
   std::ranges::stable_sort(by_work, {}, work_of);
@@ -64,25 +65,26 @@ void Search::add(const SettingKind& kind) {
   kinds_.push_back({by_work[start], most_iterations});
 }
 
-// The settings of the next round: of the better half, but all that were not run yet. If none of these goes
-// on, and none met the demand, of the best that were left behind.
+// The settings of the next round: of the better half of the kinds, and of all kinds that were not run yet. If
+// no such kind goes on, and no trial met the demand: of the best kinds that were left behind.
 std::vector<Setting> Search::next() {
   std::ranges::stable_sort(kinds_, {}, [this](const Candidate& kind) { return promise(kind); });
   const auto untried = static_cast<std::size_t>(
       std::ranges::count_if(kinds_, [](const Candidate& kind) { return kind.trials.empty(); }));
   active_ = std::min(kinds_.size(), untried + std::max(fewest_kinds, (active_ + 1) / 2));
-  std::vector<Setting> found;
+  std::vector<Setting> settings;
   const auto go_on = [&](const Candidate& kind) {
-    if (const std::optional<Setting> setting = step(kind)) found.push_back(*setting);
+    if (const std::optional<Setting> setting = step(kind)) settings.push_back(*setting);
   };
   std::for_each_n(kinds_.begin(), active_, go_on);
-  if (!found.empty() || std::ranges::any_of(trials_, [&](const Trial& t) { return meets(t, demand_); }))
-    return found;
-  for (std::size_t k = active_; k < kinds_.size() && found.size() < fewest_kinds; ++k) go_on(kinds_[k]);
-  return found;
+  if (!settings.empty() || std::ranges::any_of(trials_, [&](const Trial& t) { return meets(t, demand_); }))
+    return settings;
+  for (std::size_t k = active_; k < kinds_.size() && settings.size() < fewest_kinds; ++k) go_on(kinds_[k]);
+  return settings;
 }
 
-// What its best run promises, less is better; 0 if it has none. A time that is not used up can buy more work.
+// How much the best run of a kind promises: less is better; 0 if the kind was not run. Time that is not used
+// up can buy more work.
 double Search::promise(const Candidate& kind) const {
   if (kind.trials.empty()) return 0;
   const Trial& best = *std::ranges::min_element(kind.trials, {},
@@ -90,11 +92,11 @@ double Search::promise(const Candidate& kind) const {
   return demand_.error ? score(best, demand_) : judged_error(best) * best.cpu_s;
 }
 
-// The kind's next run, if there is a use of it. More work are more substeps if its method projects
-// constraints, else more iterations.
+// The kind's next run, if it is of use. More work means more substeps if the method projects constraints,
+// else more iterations.
 std::optional<Setting> Search::step(const Candidate& kind) const {
   if (kind.trials.empty()) return kind.start;
-  const Trial *below = nullptr, *above = nullptr;  // nearest to the demand, of less work and of more
+  const Trial *below = nullptr, *above = nullptr;  // nearest to the demand, with less work and with more work
   for (const Trial& trial : kind.trials) {
     const bool falls_short =
         demand_.error ? judged_error(trial) > *demand_.error : trial.cpu_s <= *demand_.cpu_s;
@@ -115,11 +117,11 @@ std::optional<Setting> Search::step(const Candidate& kind) const {
   int& count = by_substeps ? setting.substeps : setting.iterations;
   count = static_cast<int>(factor < 1 ? std::floor(count * factor) : std::round(count * factor));
   count = std::clamp(count, 1, by_substeps ? most_substeps_ : kind.most_iterations);
-  const auto is_it = [&](const Trial& trial) { return trial.setting == setting; };
-  return std::ranges::any_of(kind.trials, is_it) ? std::nullopt : std::optional(setting);
+  const auto is_same = [&](const Trial& trial) { return trial.setting == setting; };
+  return std::ranges::any_of(kind.trials, is_same) ? std::nullopt : std::optional(setting);
 }
 
-// Not if more work helped hardly before, or another kind is faster already.
+// False if more work hardly helped before, or if another kind is faster already.
 bool Search::is_worth_more(const Candidate& kind, const Trial& trial, double factor) const {
   if (!demand_.error) return true;
   constexpr double hardly_better = 0.9;

@@ -1,10 +1,10 @@
-// Which settings to run, by successive halving: kinds of settings that were the best of measured scenes are
-// run, the better half of them goes on with more work or less, by what the demand asks for, and so on, until
-// at most three are left and the work of each is found. If none of them meets the demand, those that were
-// left behind go on.
+// Chooses the settings to run, by successive halving. First, kinds of settings that were the best of measured
+// scenes are run. The better half of them goes on, with more or less work, as the demand needs it. This
+// repeats until at most three kinds are left, and the right work of each kind is found. If none of these
+// kinds meets the demand, the kinds that were left behind go on.
 //
-// The error of a kind falls, and its time grows, about with its work: from two runs of it, of which one falls
-// short of the demand and one does more, the next is between them.
+// The error of a kind falls, and its time grows, about in proportion to its work. If one run of a kind falls
+// short of the demand and another run does more than needed, the work of the next run lies between them.
 #pragma once
 
 #include <functional>
@@ -19,16 +19,18 @@ class Search {
  public:
   /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
   using ExpectedCpu = std::function<double(const Setting&)>;
-  /// Runs settings, and gives what came of those that could be run. If none could, the search ends.
+  /// Runs settings, and returns the trials of settings that could be run. If no setting could be run, the
+  /// search ends.
   using Run = std::function<std::vector<Trial>(const std::vector<Setting>&)>;
 
   /// No setting has more than `most_substeps`.
   Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run);
 
-  /// Adds the kinds that are new, and runs what is worth a run. False if nothing was.
+  /// Adds new kinds, and runs the settings that are worth a run. False if no setting was run.
   bool run(const std::vector<SettingKind>& kinds);
 
-  /// What this setting gave means nothing, and its kind is not run any more.
+  /// Drops the trial of this setting, because its result means nothing. The kind of the setting is not run
+  /// any more.
   void reject(const Setting& setting);
 
   const std::vector<Trial>& trials() const { return trials_; }
@@ -50,9 +52,9 @@ class Search {
   int most_substeps_;
   ExpectedCpu expected_cpu_s_;
   Run run_;
-  std::vector<Setting> known_;    // one of each kind that was ever added
+  std::vector<Setting> known_;    // a setting of each kind that was ever added
   std::vector<Candidate> kinds_;  // the most promising first
-  std::size_t active_ = 0;        // how many of them go on
+  std::size_t active_ = 0;        // number of kinds that go on
   std::vector<Trial> trials_;
 };
 

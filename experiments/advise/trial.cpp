@@ -14,7 +14,8 @@
 namespace bendlab {
 namespace {
 
-// The number of the text times what its unit is worth; nothing unless it is above 0 and has such a unit.
+// The number of the text times the value of its unit. Nothing unless the number is above 0 and has such a
+// unit.
 std::optional<double> parse_quantity(const std::string& text,
                                      std::initializer_list<std::pair<std::string_view, double>> units) {
   char* end = nullptr;
@@ -25,8 +26,8 @@ std::optional<double> parse_quantity(const std::string& text,
   return std::nullopt;
 }
 
-// By which factor the worst of strain, stretch and error is beyond its limit. A setting that was not
-// compared, because of its strain, is judged by that.
+// The factor by which the worst of strain, stretch and error exceeds its limit. A setting that was not
+// compared with the reference, because of its strain, is judged by strain and stretch.
 double beyond_limits(const Trial& trial) {
   return std::max({trial.more_strain / largest_strain, (trial.stretch - 1) / (largest_stretch - 1),
                    std::isfinite(trial.error) ? trial.error / largest_error : 0});

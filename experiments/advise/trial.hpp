@@ -1,5 +1,5 @@
-// What advice is about: settings, what came of their runs, whether they are fit to be advised, and which of
-// them suits a demand.
+// The settings that may be advised, the results of their runs, whether a setting is fit to be advised, and
+// which setting suits a demand.
 #pragma once
 
 #include <compare>
@@ -15,8 +15,8 @@
 
 namespace bendlab {
 
-/// A bending model, a solver with its work, and a mesh. What the cloth is, what holds it and what acts on it
-/// stay as the config has them.
+/// A bending model, a solver with its work (substeps and iterations), and a mesh. The cloth, its pins and the
+/// effects on it stay as in the config.
 struct Setting {
   std::string model, method;
   std::string solver = "{}";  ///< further settings of the method, as JSON
@@ -26,7 +26,7 @@ struct Setting {
   auto operator<=>(const Setting&) const = default;
 };
 
-/// Settings that differ in their work only.
+/// Settings that differ only in their work.
 struct SettingKind {
   Setting setting;                         ///< with any work
   std::vector<std::pair<int, int>> works;  ///< substeps and iterations that are worth a try
@@ -41,10 +41,10 @@ std::string solver_text(const Setting& setting);
 /// "dihedral, pbd (levels 12), 8 substeps, 1 iteration, 24 cells".
 std::string setting_text(const Setting& setting);
 
-/// What is asked for: either of the two.
+/// The demand of the user: either a largest error or a largest time.
 struct Demand {
-  std::optional<double> error;  ///< at most, in sizes of the mesh
-  std::optional<double> cpu_s;  ///< at most, CPU seconds per frame of 1/60 s of simulated time
+  std::optional<double> error;  ///< in sizes of the mesh
+  std::optional<double> cpu_s;  ///< CPU seconds per frame of 1/60 s of simulated time
 };
 
 /// "5%" or "0.05" → 0.05. Throws std::invalid_argument unless it is above 0 and below 1.
@@ -58,12 +58,12 @@ double parse_duration(const std::string& text);
 std::string percent_number(double share);
 std::string percent_text(double share);
 
-/// A setting that was run, and what that gave.
+/// A setting that was run, and the results.
 struct Trial {
   Setting setting;
   /// Rms distance from the reference, in sizes of the mesh; infinite: not compared.
   double error = std::numeric_limits<double>::infinity();
-  double cpu_s = 0;          ///< of the steps, per frame
+  double cpu_s = 0;          ///< CPU seconds of the steps, per frame
   double strain = 0;         ///< rms of the Green strain
   double more_strain = 0;    ///< the strain less that of the reference, at least 0
   double stretch = 1;        ///< the largest of a triangle, over that of the reference, at least 1
@@ -71,44 +71,48 @@ struct Trial {
   bool implausible = false;  ///< the run broke a bound that its scene cannot break
   bool unfinished = false;   ///< the run was stopped, and nothing else is known
   bool failed = false, diverged = false;
-  std::string why{};  ///< why it failed or has no error
+  std::string why{};  ///< why the run failed or has no error
   std::vector<Warning> warnings{};
 };
 
-/// Limits of what is advised. The points of a square lie 0.29 sizes (rms) from its middle: a sheet that is
-/// crumpled to a point there has that error, and 0.2 is most of it.
+/// Limit of Trial::error for a setting that is advised. The points of a square lie 0.29 sizes (rms) from its
+/// middle: a sheet that is crumpled to a point there has that error, and 0.2 is most of it.
 inline constexpr double largest_error = 0.2;
 
-/// Of Trial::more_strain. Woven cloth stretches by less than a tenth as it is worn (Provot 1995 and Bridson
-/// 2003 limit their springs to it).
+/// Limit of Trial::more_strain. Woven cloth stretches by less than a tenth when it is worn (Provot 1995 and
+/// Bridson 2003 limit their springs to a tenth).
 inline constexpr double largest_strain = 0.1;
 
-/// Of Trial::stretch. Woven cloth tears at 1.05 to 1.4, and a triangle at a pin shows a tear as a spike.
+/// Limit of Trial::stretch. Woven cloth tears at 1.05 to 1.4, and a triangle at a pin shows a tear as a
+/// spike.
 inline constexpr double largest_stretch = 1.5;
 
-/// The first reason why it is not advised, whatever was asked for: "implausible", "strain", "stretch" or
-/// "error". Empty: it is fit.
+/// The first reason why a setting is never advised, whatever the demand: "implausible", "strain", "stretch"
+/// or "error". Empty: the setting is fit.
 std::string_view unfit(const Trial& trial);
 
-/// Its error; if it is unfit at least the largest that is fit, times the factor by which the worst of strain,
-/// stretch and error is beyond its limit: so that more work is worth it until it is fit.
+/// The error of a fit trial. For an unfit trial, largest_error times the factor (at least 1) by which the
+/// worst of strain, stretch and error exceeds its limit, so that more work is worth it until the trial is
+/// fit.
 double judged_error(const Trial& trial);
 
-/// How far it is from what is demanded, 1 times its error or time if it is not: less is better.
+/// The quantity that is not demanded (time or error), times the factor (at least 1) by which the demanded
+/// quantity exceeds the demand: less is better.
 double score(const Trial& trial, const Demand& demand);
 
-/// Whether it is fit, and as accurate or as fast as demanded.
+/// Whether a trial is fit, and as accurate or as fast as demanded.
 bool meets(const Trial& trial, const Demand& demand);
 
-/// Of those that meet the demand the fastest or the most accurate one. If none does, the fit one that comes
-/// nearest; if none is fit, the one that is least beyond the limits, preferably within the demanded time.
+/// The fastest trial that meets a demanded error, or the most accurate trial that meets a demanded time. If
+/// no trial does, the fit trial that comes nearest. If no trial is fit, the trial that exceeds the limits
+/// least, preferably within the demanded time.
 std::optional<Trial> choice_of(std::span<const Trial> trials, const Demand& demand);
 
-/// The fit trials that no other fit one beats in both error and time, the fastest first. Ties go to the
+/// The fit trials that no other fit trial beats in both error and time, the fastest first. Ties go to the
 /// first.
 std::vector<Trial> front_of(std::span<const Trial> trials);
 
-/// Of a front the trials that are a tenth more accurate than the one before them, and the last.
+/// The trials of a front that are a tenth more accurate than the kept trial before them, and the last trial.
 std::vector<Trial> thinned(std::span<const Trial> front);
 
 }  // namespace bendlab

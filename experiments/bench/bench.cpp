@@ -18,7 +18,7 @@
 namespace bendlab {
 namespace {
 
-/// Keeps what Google Benchmark measured instead of printing it.
+/// Keeps the times that Google Benchmark measured, instead of printing them.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context&) override { return true; }
@@ -35,7 +35,7 @@ std::vector<BenchCase> all_cases(const BenchOptions& options) {
   // Set-up goes first: its peak memory is measured while the heap is as small as a run's.
   for (const auto& family :
        {set_up_cases, cloth_cases, method_cases, effect_cases, run_cases, convergence_cases})
-    for (BenchCase& one : family(options)) all.push_back(std::move(one));
+    for (BenchCase& bench_case : family(options)) all.push_back(std::move(bench_case));
   return all;
 }
 
@@ -89,10 +89,10 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
   const std::regex filter = expression_of(options.filter);
   std::vector<BenchCase> all = all_cases(options), chosen;
   std::set<std::string> wanted;
-  for (const BenchCase& one : all)
-    if (std::regex_search(one.id, filter)) wanted.insert({one.id, one.oracle});
-  for (BenchCase& one : all)
-    if (wanted.contains(one.id)) chosen.push_back(std::move(one));
+  for (const BenchCase& bench_case : all)
+    if (std::regex_search(bench_case.id, filter)) wanted.insert({bench_case.id, bench_case.oracle});
+  for (BenchCase& bench_case : all)
+    if (wanted.contains(bench_case.id)) chosen.push_back(std::move(bench_case));
   if (chosen.empty())
     throw UsageError(
         fmt::format("--filter '{}' chooses no benchmark; bendlab bench --list names them", options.filter));
@@ -104,17 +104,17 @@ std::vector<BenchRow> run_bench(
     const std::function<void(const std::string& id, const std::string& why)>& on_failure) {
   std::vector<BenchRow> rows;
   std::map<std::string, double> ns;  // per id
-  for (const BenchCase& one : cases) {
-    on_start(one.id);
+  for (const BenchCase& bench_case : cases) {
+    on_start(bench_case.id);
     try {
-      rows.push_back(one.run());
+      rows.push_back(bench_case.run());
     } catch (const std::exception& error) {
-      on_failure(one.id, error.what());
+      on_failure(bench_case.id, error.what());
       continue;
     }
-    ns[one.id] = rows.back().ns.median;
-    if (const auto oracle = ns.find(one.oracle); oracle != ns.end())
-      rows.back().ratio_to_oracle = oracle->second / ns[one.id];
+    ns[bench_case.id] = rows.back().ns.median;
+    if (const auto oracle = ns.find(bench_case.oracle); oracle != ns.end())
+      rows.back().ratio_to_oracle = oracle->second / ns[bench_case.id];
   }
   return rows;
 }

@@ -1,9 +1,9 @@
-// `bendlab bench`: what the solver costs, measured on this machine.
+// `bendlab bench` measures the cost of the solver on this machine.
 //
 // A row is one case: a kernel on a moving cloth, a step, the set-up, recording, a sweep, or a comparison of
-// orders. Google Benchmark chooses how often a case is repeated within a repetition; of the repetitions the
-// median, the smallest and the largest are kept. Where one thread works, its processor time counts: other
-// programs on the machine then cost cache and clock rate, but no time.
+// orders. Google Benchmark chooses how often a case is repeated within a repetition. The median, the smallest
+// and the largest time of the repetitions are kept. If one thread works, its processor time counts. Other
+// programs on the machine then affect caches and clock rate, but their time does not count.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,9 @@ class Simulation;
 
 struct BenchOptions {
   std::string filter;  ///< regular expression on ids; empty: all
-  bool quick = false;  ///< small meshes and short repetitions, to test that it works
+  bool quick = false;  ///< small meshes and short repetitions, to test the benchmark
   int repetitions = 7;
-  std::vector<int> threads = {1, 2};  ///< of the whole steps
+  std::vector<int> threads = {1, 2};  ///< of whole steps
 };
 
 /// Median and range of the repetitions.
@@ -33,32 +33,33 @@ struct Spread {
 Spread spread_of(std::vector<double> values);
 
 struct BenchRow {
-  std::string name;    ///< "strain/128": what, and the cells along each side
+  std::string name;    ///< "strain/128": kind of case, and the cells along each side
   std::string scalar;  ///< "float", "double"
   int threads = 1;
   std::int64_t vertices = 0, constraints = 0;
-  /// Per constraint and projection (set-up: per spring; methods: per vertex and iteration).
+  /// Time per constraint and projection (set-up: per spring; methods: per vertex and iteration).
   Spread ns;
   int repetitions = 0;                      ///< 0: nothing is timed
-  std::optional<double> ratio_to_oracle;    ///< the oracle's median / this one's: how many times as fast
+  std::optional<double> ratio_to_oracle;    ///< median of the oracle / median of this row
   std::optional<double> roofline_fraction;  ///< least possible time (see roofline.hpp) / median
-  Json more = Json::object();               ///< other numbers, with the unit at the end of each key
+  Json more = Json::object();               ///< other values, with the unit at the end of each key
 };
 
 /// One row to be measured. Cases that follow one another may share a scene.
 struct BenchCase {
   std::string id;        ///< name/scalar, and /threads:N from two on
-  std::string oracle{};  ///< id of the case it is compared with; empty: none
+  std::string oracle{};  ///< id of the oracle's case; empty: no oracle
   std::function<BenchRow()> run;
 };
 
-/// Strain, crossover springs, dense rings and whole steps on a cloth that moves; the oracle beside them.
+/// Strain, crossover springs, dense rings and whole steps on a moving cloth, and their oracles.
 std::vector<BenchCase> cloth_cases(const BenchOptions& options);
 
-/// Time of each effect's passes in a step, per vertex and per action, over sizes.
+/// Time of each effect's passes in a step, per vertex and per action, for several sizes.
 std::vector<BenchCase> effect_cases(const BenchOptions& options);
 
-/// An iteration of each solver method, per vertex, over sizes; gradient and solve of quasi_newton apart.
+/// An iteration of each solver method, per vertex, for several sizes; also gradient and solve of quasi_newton
+/// alone.
 std::vector<BenchCase> method_cases(const BenchOptions& options);
 
 /// Rings, pairs, colours and batches of `adaptive`: seconds and peak memory.
@@ -74,11 +75,11 @@ std::vector<BenchCase> convergence_cases(const BenchOptions& options);
 std::string bench_id(const std::string& name, const std::string& scalar, int threads = 1);
 
 /// Runs `measure`, which returns the seconds of one iteration, in `repetitions` of at least `least_s` seconds
-/// each (0: one iteration), and gives seconds per iteration.
+/// each (0: one iteration). Returns seconds per iteration.
 Spread repeated(const std::string& id, int repetitions, double least_s,
                 const std::function<double()>& measure);
 
-/// ns for each of `count` pieces of work that took so long together.
+/// ns per piece of work, if `count` pieces took `seconds` together.
 Spread ns_per(double count, const Spread& seconds);
 
 /// Seconds of a step: processor time of this thread, and wall time.
@@ -88,12 +89,12 @@ struct StepSeconds {
 /// Throws std::runtime_error if the cloth diverged.
 StepSeconds timed_step(Simulation& simulation);
 
-/// The cases that the options choose, and the oracles that these are compared with. Throws UsageError if the
-/// filter is no regular expression or chooses nothing.
+/// The cases that the options choose, and their oracles. Throws UsageError if the filter is no regular
+/// expression or chooses no case.
 std::vector<BenchCase> bench_cases(const BenchOptions& options);
 
-/// Runs them in order; `on_start` is called with each id. A case that throws gives no row: `on_failure` gets
-/// its id and the reason, and the others go on.
+/// Runs the cases in order; `on_start` is called with the id of each case. A case that throws gives no row:
+/// `on_failure` gets its id and the reason, and the next case runs.
 std::vector<BenchRow> run_bench(
     const std::vector<BenchCase>& cases, const std::function<void(const std::string& id)>& on_start,
     const std::function<void(const std::string& id, const std::string& why)>& on_failure);

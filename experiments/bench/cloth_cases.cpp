@@ -1,4 +1,4 @@
-// Kernels in the steps of a cloth that moves, so that positions, branches and caches are as in a run.
+// Kernels during the steps of a moving cloth, so that positions, branches and caches are as in a run.
 #include <fmt/format.h>
 
 #include <memory>
@@ -44,8 +44,8 @@ struct StepTime {
   double strain = 0, bending = 0, all = 0;
 };
 
-/// A square that falls from the horizontal, pinned along two opposite sides, in short steps: it sags and
-/// stays sound. Hung from a corner it would tear, and torn triangles cost up to three times as much.
+/// A square that falls from the horizontal, pinned along two opposite sides, in short steps: it sags without
+/// tearing. If it hung from a corner, it would tear, and torn triangles cost up to three times as much.
 class MovingCloth {
  public:
   explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {
@@ -57,7 +57,8 @@ class MovingCloth {
     for (int step = 0; step < cloth_warm_up; ++step) this->step();
   }
 
-  /// Processor time where one thread works, else wall time. A pass has its share of the step's wall time.
+  /// Processor time if one thread works, else wall time. The time of a pass is its share of the step's wall
+  /// time.
   StepTime step() {
     const StepTime before = passes();
     const StepSeconds took = timed_step(*simulation_);
@@ -86,12 +87,12 @@ class MovingCloth {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// The cloth that was used last: cases of the same cloth follow one another.
+/// Keeps the cloth of the last case, because cases of the same cloth follow one another.
 class LastCloth {
  public:
   MovingCloth& of(const ClothKind& kind) {
     if (!cloth_ || kind != kind_) {
-      cloth_.reset();  // two large ones at once would only cost memory
+      cloth_.reset();  // two large cloths at once would only cost memory
       cloth_ = std::make_unique<MovingCloth>(kind);
       kind_ = kind;
     }
@@ -177,7 +178,7 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
   for (const char* scalar : {"float", "double"}) {
     for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric", "choi_ko"}) {
-      const bool first = model == "crossover";  // whose cloth also shows the strain and the step
+      const bool first = model == "crossover";  // its cloth also serves for strain and steps
       const auto add_all = [&](const ClothKind& kind) {
         if (first) add(Part::strain, kind);
         add(Part::bending, kind);
@@ -193,7 +194,7 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
     add(Part::strain,
         {.cells = usual, .model = "crossover", .scalar = scalar, .oracle = true, .form = "angle"});
     add(Part::strain, {.cells = usual, .model = "crossover", .scalar = scalar, .form = "angle"});
-    // With compliance it is solved by Newton's method; its oracle bisects, which is too slow for a
+    // With a compliance, choi_ko is solved by Newton's method. Its oracle bisects, which is too slow for a
     // comparison. k_b is 10⁻⁷ N m².
     add(Part::bending, {.cells = usual, .model = "choi_ko", .scalar = scalar, .compliance = 1e7});
     for (const int threads : options.threads)

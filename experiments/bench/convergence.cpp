@@ -70,7 +70,7 @@ void sort_by(const std::vector<int>& key_of_vertex, bool descending, Vertices& v
 
 BuiltScene sorted_from_pins(BuiltScene scene, bool descending) {
   const std::vector<int> distance = edges_from_pins(scene);
-  scene.input.permutation.clear();  // which would sort the lists again
+  scene.input.permutation.clear();  // the permutation would sort the lists again
   sort_by(distance, descending, scene.input.strain.vertices, scene.input.strain.inverse_rest);
   sort_by(distance, descending, scene.input.distance.vertices, scene.input.distance.rest_length);
   return scene;

@@ -1,4 +1,4 @@
-// What the coloured order costs in sweeps: the strain error it leaves, against the mesh order.
+// Compares the strain error that sweeps in coloured order leave with the strain error in mesh order.
 #pragma once
 
 #include <span>
@@ -21,14 +21,14 @@ inline constexpr int convergence_cells = 32;
 struct ConvergenceError {
   int sweeps = 0;
   double colour = 0, mesh = 0;
-  double from_pins = 0, to_pins = 0;  ///< one after another, by edges from the nearest pin
-  double colour_from_pins = 0;        ///< by colour, found in the order from_pins
-  /// With how many sweeps `colour` first leaves no more than `mesh`; 0: not with four times
-  /// (sweeps + convergence_cells).
+  double from_pins = 0, to_pins = 0;  ///< one constraint after another, sorted by edges to a pin
+  double colour_from_pins = 0;        ///< by colour; the colours are found in the order from_pins
+  /// The fewest sweeps after which `colour` leaves no more error than `mesh`; 0: more than four times (sweeps
+  /// + convergence_cells).
   int sweeps_to_match = 0;
 };
 
-/// All orders do one step from the same state, in double precision: positions and velocities of the scene
+/// Every order does one step in double precision from the same state: positions and velocities of the scene
 /// after 0.5 s.
 std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, std::span<const int> sweeps);
 

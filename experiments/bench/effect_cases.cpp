@@ -1,4 +1,4 @@
-// The time of an effect's passes in the steps of a cloth on which it acts, from 10³ to 10⁶ vertices.
+// The time of an effect's passes during the steps of a cloth on which it acts, from 10³ to 10⁶ vertices.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -21,11 +21,11 @@ constexpr int effect_warm_up = 20;
 /// An effect in a scene in which it has work to do.
 struct EffectScene {
   std::string_view effect, settings;  ///< its type, and its further settings as JSON
-  std::string_view scene;             ///< what the scene has besides, as JSON
+  std::string_view scene;             ///< the other parts of the scene, as JSON
   std::string_view before = "";       ///< effects that are listed before it, as JSON
 };
 
-// The obstacle pushes into the cloth from below, so that they stay in touch.
+// Obstacles push into the cloth from below, so that they stay in touch with it.
 constexpr std::string_view pinned_sides = R"("pins": {"vertices": ["left", "right"], "ring": 0})";
 constexpr std::string_view no_pins = R"("pins": {"vertices": []})";
 
@@ -48,7 +48,7 @@ constexpr std::array effect_scenes = {
     EffectScene{"self_collision", "", no_pins},  // see Stack
 };
 
-/// Those above, and the other effects with their defaults.
+/// The scenes above, and a scene with default settings for each other effect.
 std::vector<EffectScene> all_effect_scenes() {
   std::vector<EffectScene> all(effect_scenes.begin(), effect_scenes.end());
   for (const EffectKind* effect : effects())
@@ -69,8 +69,8 @@ class BallFile {
       std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
-/// Five layers on a floor, their thickness a cell, under a weight that moves them by the same part of it per
-/// step: each vertex has its contacts at any resolution.
+/// Five layers on a floor. Their thickness is the size of a cell, and gravity moves them by the same part of
+/// a cell per step, so that each vertex has its contacts at any resolution.
 struct Stack {
   double cell;  ///< m
 
@@ -83,7 +83,7 @@ struct Stack {
   }
 };
 
-/// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.
+/// A cloth of `cells` by `cells` with crossover springs and 10 iterations, under gravity and the effect.
 RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar, const BallFile& ball) {
   const bool stacked = scene.effect == "self_collision";
   const Stack stack{1.0 / cells};
@@ -104,9 +104,9 @@ RunConfig config_of(const EffectScene& scene, int cells, const std::string& scal
   return parse_experiment(text, "bench").runs.front();
 }
 
-class CloseWatch {
+class TimedEffect {
  public:
-  CloseWatch(const RunConfig& config, std::string_view effect) : effect_(effect) {
+  TimedEffect(const RunConfig& config, std::string_view effect) : effect_(effect) {
     const BuiltScene scene = build_scene(config.scene());
     vertices = scene.rest.vertex_count();
     simulation_ = simulation_of(scene);
@@ -125,7 +125,7 @@ class CloseWatch {
   }
 
   int vertices = 0;
-  double acted = 0, share = 0;  // in a step: the mean, and the last one
+  double acted = 0, share = 0;  // mean per step; of the last step
 
  private:
   PassStatistics effect() const {
@@ -143,13 +143,13 @@ class CloseWatch {
 BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
                  const BenchOptions& options) {
   const BallFile ball;
-  CloseWatch cloth(config_of(scene, cells, scalar, ball), scene.effect);
+  TimedEffect cloth(config_of(scene, cells, scalar, ball), scene.effect);
   BenchRow row{.name = fmt::format("effect/{}/{}", scene.effect, cells),
                .scalar = scalar,
                .vertices = cloth.vertices,
                .constraints = cloth.vertices,
                .repetitions = options.repetitions};
-  // A number of steps, not a time of the pass: most of a step is not the effect's.
+  // A repetition is a number of steps, not a time of the passes, because the effect takes little of a step.
   const int together = std::clamp((options.quick ? 20'000 : 200'000) / cloth.vertices, 3, 200);
   const auto step = [&] {
     double sum = 0;

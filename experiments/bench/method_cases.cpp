@@ -1,5 +1,5 @@
-// What an iteration of each solver method costs, on one cloth, and what it consists of in quasi_newton: the
-// gradient of the elastic energy, and the solve with the factor of the metric.
+// The cost of an iteration of each solver method, on one cloth. For quasi_newton, also the costs of its two
+// parts: the gradient of the elastic energy, and the solve with the factor of the metric.
 #include <fmt/format.h>
 #include <Eigen/CholmodSupport>
 
@@ -31,9 +31,9 @@ struct MethodCase {
   int threads = 1;
 };
 
-// A cotton that sags between two sides: Y = 10⁴ N/m, B = 5·10⁻⁵ N m. It has hinges, and no iteration is left
-// out. vbd's few iterations leave the membrane far from its minimum: only the damping of backward Euler keeps
-// them stable.
+// A cotton that sags between two sides: Y = 10⁴ N/m, B = 5·10⁻⁵ N m. The cloth has hinges, and every
+// iteration is done (tolerance 0). The few iterations of vbd leave the membrane far from its minimum: only
+// the damping of backward Euler keeps vbd stable.
 RunConfig config_of(const MethodCase& kind) {
   const bool implicit = kind.method != "pbd";
   const std::string text = fmt::format(
@@ -54,7 +54,7 @@ std::size_t scalar_bytes(const std::string& scalar) {
   return scalar == "float" ? sizeof(float) : sizeof(double);
 }
 
-/// The scene of a kind, and the pose that a few steps lead to.
+/// The scene of a case, in the pose after a few steps.
 struct MovedScene {
   explicit MovedScene(const MethodCase& kind) : scene(build_scene(config_of(kind).scene())) {
     const auto simulation = simulation_of(scene);
@@ -112,7 +112,8 @@ std::size_t gradient_bytes(const MovedScene& moved, std::size_t scalar) {
          static_cast<std::size_t>(moved.vertices()) * 8 * scalar;
 }
 
-// Measures it, and returns the norm of the force on the free vertices, N: the oracle's has to be the same.
+// Measures the gradient. Returns the norm of the force on the free vertices, N, which has to equal the
+// oracle's.
 template <class Real>
 double force_of_gradient(const MovedScene& moved, const std::string& id, const BenchOptions& options,
                          Spread& seconds) {
@@ -169,7 +170,7 @@ BenchRow measure_gradient(const std::string& name, const MethodCase& kind, bool 
 
 // ---- the solve
 
-/// CHOLMOD's own, with the order that SparseFactor has.
+/// CHOLMOD's own solver, with the order that SparseFactor has.
 struct Cholmod : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
   Cholmod() {
     cholmod().nmethods = 1;
@@ -220,12 +221,13 @@ BenchRow measure_solve(const std::string& name, const MethodCase& kind, bool ora
 
 // ---- whole steps
 
-/// Least seconds of an iteration of quasi_newton: gradient, solve, and the pairs, which are streamed.
+/// Least seconds of an iteration of quasi_newton: gradient, solve, and the pairs of its history, which are
+/// streamed.
 double least_iteration_seconds(const MethodCase& kind, const MovedScene& moved) {
   const std::size_t scalar = scalar_bytes(kind.scalar);
   std::vector<int> vertices;
   const std::size_t entries = SparseFactor<double>(metric_of(moved.scene.input, vertices)).entries();
-  constexpr double pairs = 10, passes = 4;  // of each pair: two products, two sums
+  constexpr double pairs = 10, passes = 4;  // passes over each pair: two products, two sums
   const double streamed =
       passes * pairs * 4 * static_cast<double>(moved.vertices()) * static_cast<double>(scalar);
   const std::size_t all =
@@ -244,7 +246,7 @@ BenchRow measure_method(const std::string& name, const MethodCase& kind, const B
     const StepSeconds seconds = timed_step(*simulation);
     return kind.threads == 1 ? seconds.cpu : seconds.wall;
   };
-  for (int warm = 0; warm < method_warm_up; ++warm) step();  // the first one factorises
+  for (int warm = 0; warm < method_warm_up; ++warm) step();  // the first step factorises
   const Spread seconds =
       repeated(bench_id(name, kind.scalar, kind.threads), options.repetitions, least_s(options), step);
   row.ns = ns_per(kind.iterations * static_cast<double>(row.vertices), seconds);
@@ -276,8 +278,8 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
                        return measure(name, kind, oracle.empty(), options);
                      }});
   };
-  // The oracles are in double precision. A constraint of theirs costs the same on any cloth, a vertex's part
-  // of a solve does not.
+  // The oracles are in double precision. A constraint of the gradient oracle costs the same on any cloth; a
+  // vertex of the solve oracle does not.
   add_part("gradient_oracle", measure_gradient, usual, "double", "");
   for (const int cells : sizes) add_part("solve_oracle", measure_solve, cells, "double", "");
   for (const char* scalar : {"float", "double"}) {

@@ -79,7 +79,7 @@ std::string bench_json(const std::vector<BenchRow>& rows) {
 
 std::string bench_text(const std::vector<BenchRow>& rows) {
   Table table({"benchmark", "scalar", "threads", "vertices", "constraints", "ns", "lowest", "highest",
-               "× oracle", "roofline", "other numbers"});
+               "× oracle", "roofline", "other values"});
   for (const BenchRow& row : rows)
     table.add_row({row.name, row.scalar, std::to_string(row.threads), std::to_string(row.vertices),
                    std::to_string(row.constraints), cell(row.ns.median), cell(row.ns.lowest),
@@ -90,10 +90,9 @@ std::string bench_text(const std::vector<BenchRow>& rows) {
       fmt::format("{} ({} bits), {}\n", processor_name(), 8 * pack_bytes, build_info().compiler);
   text += fmt::format(
       "triad {:.0f}, {:.0f}, {:.0f} and {:.0f} GB/s on 16 KiB, 512 KiB, 8 MiB and 256 MiB; peak {:.0f} "
-      "Gflop/s in float, {:.0f} in double\n"
-      "ns per constraint and projection (set_up: per spring; effect: per vertex and step; method: per vertex "
-      "and iteration; solve: per vertex): median, lowest and highest of the repetitions; CPU time for one "
-      "thread, wall time for several\n\n",
+      "Gflop/s in float, {:.0f} in double\nns per constraint and projection (set_up: per spring; effect: per "
+      "vertex and step; method: per vertex and iteration; solve: per vertex): median, lowest and highest of "
+      "the repetitions; CPU time for one thread, wall time for several\n\n",
       context["triad_16_KiB_GB_per_s"].get<double>(), context["triad_512_KiB_GB_per_s"].get<double>(),
       context["triad_8_MiB_GB_per_s"].get<double>(), context["triad_256_MiB_GB_per_s"].get<double>(),
       context["peak_float_Gflop_per_s"].get<double>(), context["peak_double_Gflop_per_s"].get<double>());

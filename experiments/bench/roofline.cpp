@@ -19,8 +19,8 @@ constexpr std::size_t smallest_set = std::size_t{1} << 14,  // fits every first-
 constexpr double probe_s = 4e-3;
 constexpr int probes = 7;
 
-/// Best of a few: a limit of the machine is what it reaches when it is not disturbed. Seconds per call of
-/// `work`.
+/// Seconds per call of `work`: the best of a few probes, because a limit of the machine is the speed that it
+/// reaches undisturbed.
 template <class Work>
 double best_seconds(const Work& work) {
   double best = std::numeric_limits<double>::infinity();
@@ -42,7 +42,7 @@ double measure_triad(std::size_t bytes) {
   using Block = Pack<float>;  // aligned, whole registers
   const std::size_t count = bytes / (3 * sizeof(Block));
   std::vector<Block> a(count), b(count, broadcast(1.0f)), c(count, broadcast(2.0f));
-  // A call is to be long against reading the clock.
+  // A call has to take much longer than reading the clock.
   const std::size_t rounds = std::max<std::size_t>(1, (std::size_t{1} << 20) / bytes);
   const double seconds = best_seconds([&] {
     for (std::size_t round = 0; round < rounds; ++round) {
@@ -55,14 +55,14 @@ double measure_triad(std::size_t bytes) {
 
 template <class Real>
 double measure_peak() {
-  // More chains than the latency of an fma times the number of them that start per cycle.
+  // More chains than the latency of an fma times the number of fmas that start per cycle.
   constexpr int chains = 10, rounds = 4096;
   std::array<Pack<Real>, chains> sums{};
   const Pack<Real> factor = broadcast<Real>(Real(0.999)), term = broadcast<Real>(Real(0.001));
   const double seconds = best_seconds([&] {
     std::array<Pack<Real>, chains> x = sums;
     for (int round = 0; round < rounds; ++round)
-      for (auto& one : x) one = one * factor + term;
+      for (auto& chain : x) chain = chain * factor + term;
     sums = x;
     benchmark::DoNotOptimize(sums);
   });
@@ -99,7 +99,7 @@ double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, do
 }
 
 double solve_roofline_seconds(std::size_t entries, std::size_t scalar_bytes) {
-  constexpr double flops = 2 * 2 * 3;  // there and back: a product and a sum for x, y and z
+  constexpr double flops = 2 * 2 * 3;  // forward and backward: a product and a sum for x, y and z
   const auto count = static_cast<double>(entries);
   return std::max(flops * count / peak_flops(scalar_bytes),
                   2 * count * static_cast<double>(scalar_bytes) / triad_bandwidth(entries * scalar_bytes));

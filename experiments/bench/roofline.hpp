@@ -1,18 +1,20 @@
 // The roofline: the least time that a projection can take on this machine (Williams, Waterman & Patterson
-// 2009, with a bandwidth for each level of the memory as in Yang et al. 2020).
+// 2009, with a bandwidth for every cache and the memory, as in Yang et al. 2020).
 //
 //   time ≥ max( flops / peak,
 //               (streamed + corners) / bandwidth of the first-level cache,
-//               (streamed + points)  / bandwidth of the level that holds the whole scene )
+//               (streamed + points)  / bandwidth of the cache or memory that holds the whole scene )
 //
-// in bytes per constraint. Streamed: its indices, 4 bytes each, and its rest data. Corners: position and
-// inverse mass, four scalars, read and written, of the corners that no register keeps from the constraint
-// before: all of a triangle, one of a spring (the other is the centre of its star). Points: the same for
-// every vertex once per sweep, shared among the constraints: what even the best order has to bring in. A
-// level's bandwidth is that of a triad a = b + s c on arrays that together are as large, the peak that of
-// independent multiply-adds in registers; both are measured in this process on one thread.
+// with all sizes in bytes per constraint. Streamed: the indices of the constraint, 4 bytes each, and its rest
+// data. Corners: position and inverse mass (four scalars, read and written) of the corners that no register
+// keeps from the previous constraint. These are all corners of a triangle, and one corner of a spring (the
+// other is the centre of its star). Points: the same scalars of every vertex, once per sweep, divided among
+// the constraints. Even the best order has to load them. The bandwidth is that of a triad a = b + s c on
+// arrays of the same total size. The peak is that of independent multiply-adds in registers. Both are
+// measured in this process on one thread.
 //
-// Flops count as in the kernels' formulas: add, multiply, divide and square root are one each.
+// Flops are counted in the kernels' formulas: an addition, multiplication, division or square root is one
+// flop.
 #pragma once
 
 #include <cstddef>
@@ -24,54 +26,55 @@ struct ConstraintCost {
   int corners = 0;  ///< each with its index; see above
   int rest_scalars = 0;
   double flops = 0;
-  int moved_scalars = 8;  ///< of a corner: four are read and written; forces read four more
+  int moved_scalars = 8;  ///< per corner: four are read and written; forces read four more
 };
 
-/// d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
+/// Flops: d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
 inline constexpr ConstraintCost distance_cost{.corners = 1, .rest_scalars = 1, .flops = 28};
 
-/// Warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24. Shear:
-/// edges 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|²
+/// Flops of warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24.
+/// Shear: edges 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|²
 /// 23, step 2, corrections 21.
 inline constexpr ConstraintCost strain_cost{.corners = 3, .rest_scalars = 4, .flops = 240};
 
-/// Five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20,
+/// Flops: five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20,
 /// wrap 3, reciprocals 6, gradients 60, Σ w|∇C|² 24, step 3, four corrections 28.
 inline constexpr ConstraintCost hinge_cost{.corners = 4, .rest_scalars = 2, .flops = 219};
 
-/// Kx 24, |Kx| 6, gradients 16, Σ w|∇C|² 24, step 4, four corrections 28.
+/// Flops: Kx 24, |Kx| 6, gradients 16, Σ w|∇C|² 24, step 4, four corrections 28.
 inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, .flops = 102};
 
-/// With k. d and |d| 9, C 1, ∇C 3, Σ w|∇C|² 12, step 2, two corrections 14.
+/// With k. Flops: d and |d| 9, C 1, ∇C 3, Σ w|∇C|² 12, step 2, two corrections 14.
 inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops = 41};
 
-/// With compliance, in float: the above, load and shares 25, first guess 20, two series of 8 terms 28, three
-/// Newton steps of 16 and the series again, last step 20. Reads α and λ, and writes λ, too.
+/// With a compliance, in float. Flops: those of arc_cost, load and shares 25, first guess 20, two series of 8
+/// terms 28, three Newton steps of 16 and the series again, last step 20. Also reads α and λ, and writes λ.
 inline constexpr ConstraintCost compliant_arc_cost{.corners = 2, .rest_scalars = 4, .flops = 266};
 
-/// Elastic forces. Warp and weft, each: f 9, |f| 6, multiplier 6, three forces 22; shear by its angle:
-/// products 17, inverse and normal 16, arc tangent 20, a1 and a2 16, gradients 18, multiplier 6, forces 21;
-/// edges and α 12.
+/// Elastic forces. Flops of warp and weft, each: f 9, |f| 6, multiplier 6, three forces 22; shear by its
+/// angle: products 17, inverse and normal 16, arc tangent 20, a1 and a2 16, gradients 18, multiplier 6,
+/// forces 21; edges and α 12.
 inline constexpr ConstraintCost strain_force_cost{
     .corners = 3, .rest_scalars = 4, .flops = 212, .moved_scalars = 12};
 
-/// As hinge_cost up to its gradients 164; multiplier 2, four forces 24. Its α is its own.
+/// Elastic forces. Flops: as hinge_cost up to its gradients 164; multiplier 2, four forces 24. Each hinge has
+/// its own α.
 inline constexpr ConstraintCost hinge_force_cost{
     .corners = 4, .rest_scalars = 3, .flops = 190, .moved_scalars = 12};
 
 /// Bytes of indices and rest data of one constraint.
 std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes);
 
-/// Least seconds per constraint. `scalar_bytes`: 4 or 8; `scene_bytes`: all that a sweep over every kind
-/// passes through.
+/// Least seconds per constraint. `scalar_bytes`: 4 or 8; `scene_bytes`: all bytes that a sweep over every
+/// kind of constraint passes through.
 double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, double points_per_constraint,
                         std::size_t scene_bytes);
 
-/// Least seconds of a solve with a sparse triangular factor of so many entries, there and back, for points:
-/// each entry is streamed twice, and multiplies three numbers each time.
+/// Least seconds of a forward and a backward solve for points, with a sparse triangular factor of `entries`
+/// entries: each entry is streamed twice, and multiplies three numbers each time.
 double solve_roofline_seconds(std::size_t entries, std::size_t scalar_bytes);
 
-/// Bytes per second of a triad on `bytes` in all, measured once per size.
+/// Bytes per second of a triad on arrays of `bytes` in total, measured once per size.
 double triad_bandwidth(std::size_t bytes);
 
 /// Floating-point operations per second; scalar_bytes 4 or 8. Measured once.

@@ -1,4 +1,5 @@
-// Whole runs as `bendlab run` executes them: what recording adds to stepping, and what two jobs gain.
+// Whole runs as `bendlab run` executes them: the time that recording adds to stepping, and the gain of two
+// jobs.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes away with its runs.
+/// A folder for runs, which is removed together with them.
 class Scratch {
  public:
   Scratch() : folder(fs::temp_directory_path() / fmt::format("bendlab-bench-{}", getpid())) {}
@@ -72,8 +73,8 @@ BenchRow row_of(const std::string& name, int threads, const Work& work, double r
           .repetitions = repetitions};
 }
 
-/// A run with 30 frames a second, and the same with its first and last frame only. Wall time from the first
-/// step to the last frame in the file. Two threads: the solver's and the writer's.
+/// A run with 30 frames a second, compared with the same run that records only its first and last frame. Wall
+/// time from the first step to the last frame in the file. Two threads work: the solver's and the writer's.
 BenchRow measure_recording(const std::string& name, int cells, double duration_s, int repetitions) {
   const Experiment recorded = experiment_of(cells, duration_s, 30),
                    plain = experiment_of(cells, duration_s, 1 / duration_s);

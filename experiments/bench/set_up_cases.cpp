@@ -1,4 +1,4 @@
-// The way from a rest mesh to the first step with `adaptive`: rings and pairs, colours and batches.
+// The set-up from a rest mesh to the first step with `adaptive`: rings and pairs, colours and batches.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/wait.h>
@@ -25,7 +25,7 @@ RunConfig config_of(int cells, const char* model) {
       .runs.front();
 }
 
-/// Kilobytes as /proc/self/status names them; 0 where it does not.
+/// The kilobytes of an entry of /proc/self/status; 0 if there is no such entry.
 double status_kilobytes(std::string_view key) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -33,7 +33,7 @@ double status_kilobytes(std::string_view key) {
   return 0;
 }
 
-/// A scene without springs yet, one corner and its 1-ring pinned.
+/// A scene that has no springs yet. One corner and its 1-ring are pinned.
 class SetUp {
  public:
   explicit SetUp(int cells)
@@ -55,16 +55,16 @@ class SetUp {
     return times;
   }
 
-  /// Growth of the process's peak resident memory, bytes, in a child of its own: it begins with nothing freed
-  /// that could be used again, and its peak is not hidden by an earlier one.
+  /// Growth of the peak resident memory, bytes. Measured in a child process, which begins without freed
+  /// memory that could be used again, and without an earlier peak that could hide the new peak.
   double peak_bytes() {
     std::array<int, 2> channel{};
-    if (pipe(channel.data()) != 0) throw std::runtime_error("no pipe for measuring memory");
+    if (pipe(channel.data()) != 0) throw std::runtime_error("cannot make a pipe for measuring memory");
     malloc_trim(0);
     const pid_t child = fork();
-    if (child < 0) throw std::runtime_error("no process for measuring memory");
+    if (child < 0) throw std::runtime_error("cannot start a process for measuring memory");
     if (child == 0) {
-      mallopt(M_MMAP_THRESHOLD, 128 << 10);  // the initial value: it rises with what is freed
+      mallopt(M_MMAP_THRESHOLD, 128 << 10);  // the initial value; it rises with freed blocks
       const double before = status_kilobytes("VmRSS:");
       run();
       const double growth = 1024 * (status_kilobytes("VmHWM:") - before);

@@ -38,8 +38,8 @@ int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
 
-/// For each run, the index of the run that is executed for it: two experiments of one name may share a run,
-/// which would write one file twice.
+/// For each run, the index of the run that is computed for it. Two experiments with the same name may share a
+/// run, and its file must not be written twice.
 std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   std::map<std::string, std::size_t> first;
   std::vector<std::size_t> result;
@@ -58,7 +58,7 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
 
 constexpr const char* failure_name = "run.failure";
 
-// Of no consequence if it can't be written: the process that meets the failure tells it, too.
+// A failure to write is ignored, because this process reports the failure of the run as well.
 void keep_failure(const CampaignRun& run, const fs::path& out) try {
   const fs::path folder = run_folder(out, *run.experiment, *run.config);
   make_folder(folder);
@@ -71,27 +71,28 @@ void remove_failure(const fs::path& run_file) {
   fs::remove(run_file.parent_path() / failure_name, ignored);
 }
 
-// Lets runs begin as long as what they all need fits into the memory there is; one alone always may.
+// Lets a run begin if all runs in progress fit into the available memory together. A single run may always
+// begin.
 class MemoryBudget {
  public:
-  // For as long as it lives, the memory is the run's.
-  class Taken {
+  // Reserves memory for a run until it is destroyed.
+  class Reservation {
    public:
-    Taken(MemoryBudget& budget, double bytes) : budget_(budget), bytes_(bytes) {
+    Reservation(MemoryBudget& budget, double bytes) : budget_(budget), bytes_(bytes) {
       std::unique_lock lock(budget_.mutex_);
-      budget_.given_back_.wait(
+      budget_.released_.wait(
           lock, [&] { return budget_.in_use_ == 0 || budget_.in_use_ + bytes_ <= budget_.all_; });
       budget_.in_use_ += bytes_;
     }
-    ~Taken() {
+    ~Reservation() {
       {
         const std::lock_guard lock(budget_.mutex_);
         budget_.in_use_ -= bytes_;
       }
-      budget_.given_back_.notify_all();
+      budget_.released_.notify_all();
     }
-    Taken(const Taken&) = delete;
-    Taken& operator=(const Taken&) = delete;
+    Reservation(const Reservation&) = delete;
+    Reservation& operator=(const Reservation&) = delete;
 
    private:
     MemoryBudget& budget_;
@@ -100,7 +101,7 @@ class MemoryBudget {
 
  private:
   std::mutex mutex_;
-  std::condition_variable given_back_;
+  std::condition_variable released_;
   const double all_ = available_memory();
   double in_use_ = 0;  // sums of whole bytes: exact
 };
@@ -122,7 +123,8 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
   }
 }
 
-// Long runs first, or short ones; with a shard, its own runs before those of the others.
+// The order of the runs: the longest first, or the shortest. With a shard, its own runs come before the runs
+// of other shards.
 std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first,
                                   const std::optional<Shard>& shard) {
   std::vector<std::size_t> order(costs.size());
@@ -141,7 +143,7 @@ std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_f
 }  // namespace
 
 double expected_cpu_s(const RunConfig& config) {
-  constexpr double unknown = 1;  // s, of a run that will say why it cannot be made
+  constexpr double unknown = 1;  // s, for a run that cannot be built and will say why
   const std::optional<Forecast> needs = forecast(config);
   return needs ? needs->cpu_s : unknown;
 }
@@ -196,10 +198,10 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   Progress progress(costs);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;  // guards what follows
-  std::set<std::pair<const Experiment*, std::string>> said;
+  std::set<std::pair<const Experiment*, std::string>> printed;
   std::vector<bool> over(runs.size(), false);
   std::size_t ready = 0;
-  std::exception_ptr failure;  // of on_ready
+  std::exception_ptr failure;  // thrown by on_ready
 
   const auto finish = [&](std::size_t index) {
     const CampaignRun& run = runs[index];
@@ -209,10 +211,10 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     if (options.shard && run.outcome && !run.outcome->reused && !run.outcome->left)
       progress.message(fmt::format("{}: {} in {:.3g} s", run_text(run), to_string(run.outcome->status),
                                    run.outcome->wall_s));
-    // A text that many runs share, like a note on their mesh, is printed for the first of them.
+    // A text that many runs share, such as a remark on their mesh, is printed for the first run only.
     const bool implausible = run.outcome && run.outcome->status == RunStatus::implausible,
                expected = implausible && (run.exit_code == exit_ok || !options.tells_verdicts);
-    if (!text.empty() && !expected && said.emplace(run.experiment, text).second)
+    if (!text.empty() && !expected && printed.emplace(run.experiment, text).second)
       progress.message(fmt::format("{}: {}", run_text(run), text));
     over[index] = true;
     for (; ready < runs.size(); ++ready) {
@@ -240,15 +242,15 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
           .when_owned = options.when_owned,
           .waiting_for =
               [&, index](const std::string& owner) {
-                progress.message(
-                    fmt::format("{}: waiting for {}, which is computing it", run_text(runs[index]), owner));
+                progress.message(fmt::format("{}: waiting for {}, which is computing this run",
+                                             run_text(runs[index]), owner));
               }};
       const std::optional<Forecast> needs = forecast(*runs[index].config);
-      const MemoryBudget::Taken taken(memory, needs ? std::round(needs->memory_bytes) : 0.0);
+      const MemoryBudget::Reservation reservation(memory, needs ? std::round(needs->memory_bytes) : 0.0);
       if (!stop) execute(runs[index], options, control);
       try {
         finish(index);
-      } catch (...) {  // nobody reads stdout any more: the runs go on, they are kept in their files
+      } catch (...) {  // stdout was closed: the runs go on, and their files keep the results
         const std::lock_guard lock(mutex);
         failure = std::current_exception();
       }

@@ -1,4 +1,4 @@
-// Many runs side by side: the points of one or more experiments, over the cores.
+// Computes the runs of one or more experiments, several at a time on all cores.
 #pragma once
 
 #include <atomic>
@@ -16,13 +16,13 @@
 
 namespace bendlab {
 
-/// One run of a campaign and what became of it.
+/// One run of a campaign and its outcome.
 struct CampaignRun {
   const Experiment* experiment = nullptr;
   const RunConfig* config = nullptr;
   std::optional<RunOutcome> outcome{};  ///< absent: it failed, or was not started because of a signal
   int exit_code = 0;
-  std::string error{};  ///< why it failed, empty if it did not
+  std::string error{};  ///< why the run failed; empty if it did not
 
   bool started() const { return outcome.has_value() || !error.empty(); }
 };
@@ -33,56 +33,57 @@ inline std::string run_text(const CampaignRun& run) {
   return run_text(*run.experiment, *run.config);
 }
 
-/// A part of a campaign: the `index`-th of `count`.
+/// Part `index` of `count` parts of a campaign, 0 ≤ index < count.
 struct Shard {
   std::size_t index = 0, count = 1;
 };
 
 struct CampaignOptions {
   std::filesystem::path out = "results";
-  int jobs = 0;              ///< runs side by side; 0: cores / the threads that a run takes
-  bool short_first = false;  ///< the runs that are expected to be short first, instead of the long ones
+  int jobs = 0;              ///< runs at a time; 0: number of cores / threads per run
+  bool short_first = false;  ///< begin with the shortest runs (by forecast) instead of the longest
   bool force = false;        ///< compute complete runs again
-  bool minimal = false;      ///< without effects that cannot act; implies force
+  bool minimal = false;      ///< leave out effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
-  /// Together with other processes: the runs of the shard first, then the others. Each run that is computed
-  /// is told on stderr, and why one failed is kept in its folder.
+  /// For work together with other processes: first the runs of this shard, then all others. Each computed run
+  /// is reported on stderr, and the reason of a failure is kept in the run's folder.
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
-  bool tells_verdicts = true;               ///< each implausible run on stderr, when it is over
-  const std::atomic<bool>* stop = nullptr;  ///< set: as after a stop signal; null: that is stop_flag()
+  bool tells_verdicts = true;               ///< report each implausible run on stderr when it is over
+  const std::atomic<bool>* stop = nullptr;  ///< true stops the campaign, as a signal does; null: stop_flag()
 };
 
 /// CPU time that a run is expected to take, s (forecast.hpp).
 double expected_cpu_s(const RunConfig& config);
 
-/// For each run the shard that it belongs to, so that all take about as long: the longest run goes to the
-/// emptiest shard, then the next one.
+/// The shard of each run, such that all shards take about equally long: the longest run goes to the emptiest
+/// shard, then the second longest, and so on.
 std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count);
 
-/// Why a run failed in a process that worked with others: a text in its folder; empty if there is none.
+/// Why a run failed in a process that worked together with others: the text kept in the run's folder. Empty
+/// if no failure is kept.
 std::string failure_in(const std::filesystem::path& folder);
 
 /// Every run of every experiment, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
-/// What runs need together.
+/// What several runs need in total.
 struct Needs {
   double cpu_s = 0, disk_bytes = 0;
-  double most_memory_bytes = 0;  ///< of the largest
+  double most_memory_bytes = 0;  ///< memory of the largest run
 
   void add(const Forecast& run);
 };
 
-/// Executes the runs, the ones expected to be long first, side by side as far as they fit into memory; a run
-/// that fails does not stop the others.
-/// `on_ready` is called with the index of every run in sweep order, by one thread at a time, as soon as it
-/// and those before it are over. A stop signal ends the runs after their current frame and starts no other.
+/// Computes the runs, the longest first, as many at a time as fit into memory. A run that fails does not stop
+/// the others. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
+/// soon as this run and all runs before it are over. After a stop signal the current runs end with their
+/// frame, and no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready);
 
-/// 0 if every run is complete, else the gravest of their exit codes: signal, I/O, mesh, config, numerical,
-/// other.
+/// 0 if every run is complete, else the gravest exit code of the runs. From grave to mild: signal, I/O, mesh,
+/// config, numerical, usage, other.
 int campaign_exit_code(const std::vector<CampaignRun>& runs);
 
 }  // namespace bendlab

@@ -31,20 +31,20 @@ bool same(const std::optional<double>& one, const std::optional<double>& other) 
 
 // Settings that differ between two configs, by pointer.
 std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other) {
-  const std::map<std::string, Json> mine = flattened(one), others = flattened(other);
+  const std::map<std::string, Json> flat_one = flattened(one), flat_other = flattened(other);
   const auto value_in = [](const std::map<std::string, Json>& values, const std::string& pointer) {
     const auto found = values.find(pointer);
     return found == values.end() ? Json() : found->second;
   };
   std::vector<ChangedSetting> changed;
-  for (const std::string& pointer : names_in(mine, others))
-    if (ChangedSetting setting{pointer, value_in(mine, pointer), value_in(others, pointer)};
+  for (const std::string& pointer : names_in(flat_one, flat_other))
+    if (ChangedSetting setting{pointer, value_in(flat_one, pointer), value_in(flat_other, pointer)};
         setting.one != setting.other)
       changed.push_back(std::move(setting));
   return changed;
 }
 
-// Numbers that differ to the bit.
+// Metrics that differ in any bit, the largest relative change first.
 std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& one,
                                            const std::map<std::string, double>& other) {
   std::vector<ChangedNumber> changed;
@@ -65,17 +65,17 @@ std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& 
 }  // namespace
 
 RunDifference difference(const RunRecord& one, const RunRecord& other) {
-  RunDifference found;
-  found.settings =
+  RunDifference result;
+  result.settings =
       changed_settings(Json::parse(one.config, nullptr, false), Json::parse(other.config, nullptr, false));
-  found.summary = changed_numbers(one.summary, other.summary);
-  found.differing_parts = differing_parts(one.file, other.file);
+  result.summary = changed_numbers(one.summary, other.summary);
+  result.differing_parts = differing_parts(one.file, other.file);
   try {
-    found.cloth = errors_between(read_motion(one.file), read_motion(other.file), {.over_time = true});
+    result.cloth = errors_between(read_motion(one.file), read_motion(other.file), {.over_time = true});
   } catch (const std::invalid_argument& error) {
-    found.no_cloth = error.what();
+    result.no_cloth = error.what();
   }
-  return found;
+  return result;
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// What differs between two runs: their settings, their numbers, their cloths.
+// What differs between two runs: settings, metrics and the motion of the cloth.
 #pragma once
 
 #include <map>
@@ -11,26 +11,26 @@
 
 namespace bendlab {
 
-/// A setting that differs; null where one run does not have it.
+/// A setting that differs. A run that does not have the setting has null.
 struct ChangedSetting {
   std::string pointer;
   Json one, other;
 };
 
-/// A number that differs.
+/// A metric that differs.
 struct ChangedNumber {
   std::string name;
   std::optional<double> one, other;
-  std::optional<double> relative;  ///< other / one - 1, where both are there and one is not 0
+  std::optional<double> relative;  ///< other / one - 1, if both runs have the metric and `one` is not 0
 };
 
 struct RunDifference {
   std::vector<ChangedSetting> settings;
   std::vector<ChangedNumber> summary;  ///< the largest relative change first
   std::map<std::string, double>
-      cloth;             ///< of measures/trajectory.hpp, over all common frames; in sizes of the mesh
-  std::string no_cloth;  ///< why the cloths cannot be compared; empty: they were
-  std::vector<std::string> differing_parts;  ///< of the files, to the bit; empty: the same
+      cloth;             ///< distances (measures/trajectory.hpp) over all common frames, in sizes of the mesh
+  std::string no_cloth;  ///< why the cloths cannot be compared; empty if they were compared
+  std::vector<std::string> differing_parts;  ///< parts of the files whose bits differ; empty if none does
 };
 
 /// Throws RunFileError.

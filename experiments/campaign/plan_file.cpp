@@ -30,7 +30,7 @@ Json read_document(const fs::path& file) {
   }
   Json plan = Json::parse(text, nullptr, false);
   if (!plan.is_object() || plan.value("bendlab_plan", 0) != format)
-    throw plan_error(file, "this is no plan of bendlab");
+    throw plan_error(file, "this is not a plan of bendlab");
   return plan;
 }
 
@@ -83,8 +83,8 @@ Plan load_plan(const fs::path& file) {
   const Json document = read_document(file);
   return reading(file, [&] {
     if (document.at("source_hash") != build_info().source_hash)
-      throw plan_error(file, fmt::format("it was written by another program ({}, sources {}; this one is {}, "
-                                         "sources {}), whose runs would have other ids",
+      throw plan_error(file, fmt::format("it was written by another version of the program ({}, sources {}; "
+                                         "this version is {}, sources {}), and its runs would have other ids",
                                          document.at("version").get<std::string>(),
                                          document.at("source_hash").get<std::string>(), build_info().version,
                                          build_info().source_hash));
@@ -95,11 +95,13 @@ Plan load_plan(const fs::path& file) {
                                               experiment.at("overrides").get<std::vector<std::string>>()));
     const std::vector<CampaignRun> runs = plan_campaign(plan.experiments);
     const Json& planned = document.at("runs");
-    if (runs.size() != planned.size()) throw plan_error(file, "its configs give another number of runs");
+    if (runs.size() != planned.size())
+      throw plan_error(file, "its configs now give a different number of runs");
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (const std::string id = run_id(*runs[i].config); id != planned.at(i).at("id"))
-        throw plan_error(file, fmt::format("{} is another run now, because a file that it reads was changed",
-                                           run_text(runs[i])));
+        throw plan_error(file,
+                         fmt::format("{} is a different run now, because a file that it reads was changed",
+                                     run_text(runs[i])));
     return plan;
   });
 }

@@ -1,5 +1,5 @@
-// A plan: what many machines need to compute the runs of some experiments together. It is a JSON file that
-// nobody changes once it is written; what has been done is seen in the runs' folders.
+// A plan: a JSON file from which many machines compute the runs of some experiments together. The file is
+// never changed after it was written; the folders of the runs show what has been done.
 #pragma once
 
 #include <filesystem>
@@ -12,28 +12,29 @@ namespace bendlab {
 
 /// A run of a plan, as it stands in the file.
 struct PlannedRun {
-  std::string id, text;  ///< `text`: its experiment and place on the sweep
+  std::string id, text;  ///< `text`: the run's experiment and swept values
   std::filesystem::path folder;
-  double expected_s = 0;  ///< CPU time, a guess (expected_cpu_s)
+  double expected_s = 0;  ///< forecast of the CPU time (expected_cpu_s)
 };
 
-/// A plan as who looks at it needs it.
+/// The parts of a plan that `bendlab status` needs.
 struct PlanOverview {
   std::string source_hash, version;  ///< of the program that wrote it
   std::filesystem::path out;
   std::vector<PlannedRun> runs;
 };
 
-/// Writes the experiments as they are now: the texts of their configs with overrides, where results go, and
-/// each run. Throws RunFileError.
+/// Writes the experiments as they are now: the texts of their configs, the overrides, the folder of results,
+/// and the list of runs. Throws RunFileError.
 void write_plan(const std::filesystem::path& file, const std::vector<Experiment>& experiments,
                 const std::filesystem::path& out);
 
-/// Throws RunFileError for a file that is none.
+/// Throws RunFileError if the file is not a plan.
 PlanOverview read_plan(const std::filesystem::path& file);
 
-/// The experiments of a plan, and its folder of results. Throws RunFileError if the plan was written by
-/// another program, or if a file that a run reads was changed since: a run would not be the planned one.
+/// The experiments of a plan, and its folder of results. Throws RunFileError if another version of the
+/// program wrote the plan, or if a file that a run reads was changed since then: the run would differ from
+/// the planned run.
 struct Plan {
   std::vector<Experiment> experiments;
   std::filesystem::path out;

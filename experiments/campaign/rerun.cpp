@@ -17,12 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What decides the bits of a result beside its settings.
+// The entries of a run's provenance that decide the bits of its result, besides its settings.
 constexpr std::array<const char*, 13> decisive = {
     "version",        "git_commit", "git_dirty",   "git_changes", "source_hash", "own_code",    "compiler",
     "compiler_flags", "build_type", "vector_bits", "processor",   "libraries",   "blas_kernels"};
 
-// The run's settings, with its input files beside them under names of their own.
+// The run's experiment. Its input files are written into `folder` under new names, which the settings then
+// name.
 Experiment repeated(const RunRecord& run, const fs::path& folder) {
   Json settings = parse_strict_json(run.config, run.file.string());
   settings["name"] = run.name;
@@ -41,7 +42,7 @@ Experiment repeated(const RunRecord& run, const fs::path& folder) {
 Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl& control) {
   make_folder(folder);
   Experiment experiment = repeated(run, folder);
-  experiment.settings = {{"name", run.name}};  // nobody stated the others: no warning is due for them
+  experiment.settings = {{"name", run.name}};  // no user stated the other settings: they need no warnings
   RunConfig& config = experiment.runs.front();
   const Json point = provenance_json(run, "point");
   if (point.is_object())

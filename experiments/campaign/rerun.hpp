@@ -1,4 +1,4 @@
-// A run repeated from its file alone.
+// Repeats a run from its file alone.
 #pragma once
 
 #include <filesystem>
@@ -15,13 +15,14 @@ namespace bendlab {
 
 struct Repetition {
   RunOutcome outcome;
-  std::vector<std::string> differing_parts;  ///< of the two files, to the bit; empty: the same
-  /// What may explain that: name → (then, now), of program, compiler, libraries, machine.
+  std::vector<std::string> differing_parts;  ///< parts of the files whose bits differ; empty if none does
+  /// What may explain a difference: name → (value then, value now), for program, compiler, libraries,
+  /// machine.
   std::map<std::string, std::pair<std::string, std::string>> changed;
 };
 
-/// Computes the run again below `folder`, with its settings and the files that it was made from, which its
-/// file holds. Throws ConfigError if this program does not know the settings, MeshError and RunFileError.
+/// Computes the run again below `folder`, from the settings and input files that its run file holds. Throws
+/// ConfigError if this program does not know the settings, MeshError and RunFileError.
 Repetition repeat(const RunRecord& run, const std::filesystem::path& folder, const RunControl& control);
 
 }  // namespace bendlab

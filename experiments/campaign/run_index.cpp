@@ -34,7 +34,7 @@ bool is_run_file(std::string_view name) {
   return is_finished_name(name) || (name.starts_with("run.vtkhdf") && name.ends_with(".part"));
 }
 
-/// By which a file is known to be the one that was read.
+/// Recognises a version of a file: an equal stamp means that the file was not changed since it was read.
 struct Stamp {
   std::int64_t size = -1, modified = 0, changed = 0;  // bytes; ns
 
@@ -53,7 +53,7 @@ std::string hash_of(std::string_view text) {
 }
 
 std::string dumped(const Json& value) {
-  return value.dump(-1, ' ', false, Json::error_handler_t::replace);  // no tab and no new line is left in it
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);  // dump() escapes tabs and new lines
 }
 
 std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord& run) {
@@ -67,7 +67,7 @@ std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord&
                      stamp.modified, stamp.changed, dumped(head), parts);
 }
 
-/// A line in its parts; views of the index's text.
+/// A line of the index, split into its parts. The views point into the index's text.
 struct Entry {
   Stamp stamp;
   std::string_view line, head, summary, provenance, config;
@@ -88,7 +88,7 @@ class Index {
   explicit Index(const fs::path& folder) {
     try {
       text_ = read_input_file(folder / index_name);
-    } catch (const std::runtime_error&) {  // it is not there
+    } catch (const std::runtime_error&) {  // there is no index
       return;
     }
     const std::size_t last = text_.size() < 2 ? 0 : text_.rfind('\n', text_.size() - 2) + 1;
@@ -115,9 +115,9 @@ class Index {
   void add(std::string_view line) {
     std::array<std::string_view, 8> part;
     std::string_view rest = line.substr(0, line.size() - 1);
-    for (std::string_view& each : part) {
+    for (std::string_view& cell : part) {
       const std::size_t end = std::min(rest.find('\t'), rest.size());
-      each = rest.substr(0, end);
+      cell = rest.substr(0, end);
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     const auto integer = [](std::string_view text) {
@@ -133,15 +133,15 @@ class Index {
   std::unordered_map<std::string_view, Entry> entries_;  // by path
 };
 
-/// What an index has of a file.
+/// What an index knows about a file.
 struct Known {
   Stamp stamp;                      ///< of the file
-  std::optional<RunRecord> record;  ///< none: the file has to be read
-  std::string_view line;            ///< of the record
+  std::optional<RunRecord> record;  ///< empty: the file has to be read
+  std::string_view line;            ///< the line of `record` in the index
   std::string new_line;
 };
 
-/// Of each file.
+/// What the index knows about each of the files.
 std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files,
                             Part part) {
   std::vector<Known> known(files.size());
@@ -153,7 +153,7 @@ std::vector<Known> known_in(const Index& index, const fs::path& folder, const st
     try {
       known[i].record = entry->record(files[i], part);
       known[i].line = entry->line;
-    } catch (const std::exception&) {  // it is read anew
+    } catch (const std::exception&) {  // the file is read again
     }
   });
   return known;
@@ -190,14 +190,14 @@ std::vector<RunRecord> read_runs(const fs::path& folder,
       known[i].new_line = line_of(folder, known[i].stamp, runs.back());
       ++finished;
     } catch (const std::exception& error) {
-      if (fs::exists(files[i])) unreadable(error.what());  // else it was renamed or removed meanwhile
+      if (fs::exists(files[i])) unreadable(error.what());  // else the file was renamed or removed meanwhile
     }
   if (from_index == index.size() && from_index == finished) return runs;
   std::string text(first_line);
-  for (const Known& each : known) text += each.new_line.empty() ? each.line : std::string_view(each.new_line);
+  for (const Known& file : known) text += file.new_line.empty() ? file.line : std::string_view(file.new_line);
   try {
     replace_file(folder / index_name, text + hash_of(text) + "\n", Wait::no);
-  } catch (const RunFileError&) {  // somebody else's folder
+  } catch (const RunFileError&) {  // the folder of another user
   }
   return runs;
 }

@@ -19,9 +19,9 @@ std::string value_text(const Json& value) {
   return value.dump();
 }
 
-constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // told without their key
+constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // shown without their key
 
-// An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
+// Names an object by the settings in which the values of the axis differ: "quasi_newton, substeps 4".
 std::string object_text(const Json& object, const std::vector<std::map<std::string, Json>>& flat_values) {
   const auto differs = [&](const std::string& key, const Json& value) {
     return flat_values.size() == 1 || std::ranges::any_of(flat_values, [&](const auto& other) {
@@ -29,28 +29,29 @@ std::string object_text(const Json& object, const std::vector<std::map<std::stri
              return found == other.end() || found->second != value;
            });
   };
-  std::vector<std::string> first, others;
+  std::vector<std::string> first, rest;
   for (const auto& [key, value] : flattened(object)) {
     if (!differs(key, value)) continue;
     if (std::ranges::find(named_first, key) != named_first.end())
       first.push_back(value_text(value));
     else
-      others.push_back(fmt::format("{} {}", key.substr(key.rfind('/') + 1), value_text(value)));
+      rest.push_back(fmt::format("{} {}", key.substr(key.rfind('/') + 1), value_text(value)));
   }
-  first.insert(first.end(), others.begin(), others.end());
+  first.insert(first.end(), rest.begin(), rest.end());
   return first.empty() ? "as it is" : fmt::format("{}", fmt::join(first, ", "));
 }
 
-// Longer axes of objects keep their whole text: this is done for each run.
+// Axes with more objects than this show each object as a whole: the objects are compared for every run, which
+// would take too long.
 constexpr std::size_t most_objects = 64;
 
 std::string text_on_axis(const Json& value, const std::vector<Json>& values) {
   if (!value.is_object() || values.size() > most_objects || !std::ranges::all_of(values, &Json::is_object))
     return value_text(value);
   std::vector<std::map<std::string, Json>> flat;
-  for (const Json& each : values) flat.push_back(flattened(each));
+  for (const Json& object : values) flat.push_back(flattened(object));
   std::string text = object_text(value, flat);
-  const auto same = [&](const Json& each) { return object_text(each, flat) == text; };
+  const auto same = [&](const Json& object) { return object_text(object, flat) == text; };
   return std::ranges::count_if(values, same) > 1 ? value.dump() : text;
 }
 

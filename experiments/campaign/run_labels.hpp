@@ -1,4 +1,4 @@
-// What a run of an experiment is called, by the values that are swept.
+// Names the runs of an experiment by their swept values.
 #pragma once
 
 #include <string>
@@ -8,13 +8,14 @@
 
 namespace bendlab {
 
-/// The run's place on the sweep, "cells 64, model crossover"; its experiment's name where nothing is swept.
+/// The run's swept values, "cells 64, model crossover"; the experiment's name if nothing is swept.
 std::string place_text(const Experiment& experiment, const RunConfig& config);
 
-/// The run's experiment and place, "fig5 (cells 64, model crossover)".
+/// The run's experiment and swept values, "fig5 (cells 64, model crossover)".
 std::string run_text(const Experiment& experiment, const RunConfig& config);
 
-/// Headings for the swept values: last part of each pointer, or all of it where two would be alike.
+/// Headings for the swept values: the last part of each pointer, or the whole pointer if two headings would
+/// be the same.
 std::vector<std::string> axis_headings(const Experiment& experiment);
 
 /// The run's values under axis_headings(), empty where an axis does not apply to it.

@@ -1,4 +1,5 @@
-// What a sweep consists of, on disk beside its runs, so that who reads results need not expand sweeps.
+// A file beside the runs that says what a sweep consists of, so that programs that read results need not
+// expand sweeps.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +10,8 @@
 
 namespace bendlab {
 
-/// `<out>/<experiment>/<name of the config's file>.sweep.json`. With overrides it has their hash in its name:
-/// a trial does not replace the sweep as it is written.
+/// `<out>/<experiment>/<name of the config's file>.sweep.json`. With overrides the name has a hash of the
+/// overrides, so that a trial does not replace the sweep of the config as written.
 std::filesystem::path sweep_file(const std::filesystem::path& out, const Experiment& experiment);
 
 struct SweepFile {
@@ -18,9 +19,9 @@ struct SweepFile {
   std::string text;
 };
 
-/// Of each experiment: the settings as written, the program, every registered bending model with its label,
-/// the axes with their values, what is expected of the runs, and of each run its point, id and folder. Reads
-/// every file that a run needs, and throws RunFileError if one can't be read. Nothing is created.
+/// The sweep file of each experiment: the settings as written, the program, every registered bending model
+/// with its label, the axes with their values, the expectations, and the point, id and folder of each run.
+/// Reads every input file of the runs, and throws RunFileError if a file can't be read. Writes nothing.
 std::vector<SweepFile> sweep_files(const std::filesystem::path& out,
                                    const std::vector<Experiment>& experiments);
 

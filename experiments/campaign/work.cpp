@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// Runs that were left to their owners, and how those are seen to do.
-class Left {
+/// Watches the owners of the runs that were left to other processes.
+class WatchedRuns {
  public:
-  Left(const std::vector<CampaignRun>& runs, std::chrono::duration<double> lease) : lease_(lease) {
+  WatchedRuns(const std::vector<CampaignRun>& runs, std::chrono::duration<double> lease) : lease_(lease) {
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (runs[i].outcome && runs[i].outcome->left) {
         const fs::path folder = runs[i].outcome->file.parent_path();
@@ -28,17 +28,17 @@ class Left {
       }
   }
 
-  /// Waits until each run is known to be without a living owner (returned: it is to be computed, or is over),
-  /// or to have one.
+  /// Waits until it is known for each run whether its owner lives. Returns the runs without a living owner:
+  /// such a run is over, or has to be computed.
   std::vector<std::size_t> wait() {
     std::vector<std::size_t> free;
     const Clock::time_point begin = Clock::now();
     while (!watched_.empty() && !stop_flag()) {
       const bool late = Clock::now() - begin > lease_;
-      std::erase_if(watched_, [&](const Watched& each) {
-        const std::string now = heartbeat_in(each.folder);
-        const bool lives = !now.empty() && now != each.heartbeat;
-        if (now.empty() || (late && !lives)) free.push_back(each.run);
+      std::erase_if(watched_, [&](const Watched& watched) {
+        const std::string now = heartbeat_in(watched.folder);
+        const bool lives = !now.empty() && now != watched.heartbeat;
+        if (now.empty() || (late && !lives)) free.push_back(watched.run);
         return now.empty() || lives || late;
       });
       if (!watched_.empty()) std::this_thread::sleep_for(1s);
@@ -56,13 +56,13 @@ class Left {
   std::vector<Watched> watched_;
 };
 
-// The run of a folder that ended while others were read; nothing if none did.
+// The run in a folder, if it ended after RunsOnDisk had read the folder; else nothing.
 std::optional<RunRecord> ended_since(const fs::path& folder) try {
   const fs::path file = folder / "run.vtkhdf";
   if (!fs::exists(file)) return std::nullopt;
   RunRecord record = read_checked(file);
   return is_over(record.status) ? std::optional(std::move(record)) : std::nullopt;
-} catch (const std::exception&) {  // it is no run's file
+} catch (const std::exception&) {  // not a run file
   return std::nullopt;
 }
 
@@ -76,7 +76,7 @@ std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, con
   run_campaign(runs, part, [](std::size_t) {});
   part.when_owned = WhenOwned::leave_living;
   for (;;) {
-    const std::vector<std::size_t> free = Left(runs, lease).wait();
+    const std::vector<std::size_t> free = WatchedRuns(runs, lease).wait();
     if (free.empty() || stop_flag()) return runs;
     std::vector<CampaignRun> again;
     for (const std::size_t run : free)
@@ -85,7 +85,7 @@ std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, con
     const auto is_left = [](const CampaignRun& run) { return run.outcome && run.outcome->left; };
     const bool all_left = std::ranges::all_of(again, is_left);
     for (std::size_t i = 0; i < free.size(); ++i) runs[free[i]] = again[i];
-    if (all_left) return runs;  // their owners live, and are silent: stopped, perhaps
+    if (all_left) return runs;  // the owners live but give no sign of life: perhaps they are suspended
   }
 }
 
@@ -96,7 +96,7 @@ RunsOnDisk::RunsOnDisk(const std::set<fs::path>& parents,
     if (!fs::is_directory(parent, none)) continue;
     for (RunRecord& run : read_runs(parent, unreadable, Part::state))
       found_.emplace(run.file.parent_path().string(),
-                     std::move(run));  // a folder's finished file comes first
+                     std::move(run));  // keeps the first: a folder's finished file
   }
 }
 

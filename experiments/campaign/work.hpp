@@ -13,27 +13,28 @@
 
 namespace bendlab {
 
-/// Computes the runs of the options' shard, longest first, then those that nobody has begun or that a dead
-/// process left behind. Ends when every run is over, or is computed by a process that lives: a process on
-/// another machine does if its heartbeat changes within the lease. Returns every run of the plan.
+/// Computes the runs of the shard in `options`, the longest first, then runs that nobody has begun or that a
+/// dead process left behind. Ends when every run is over or is being computed by a living process. A process
+/// on another machine counts as living if its heartbeat changes within `lease`. Returns every run of the
+/// plan.
 std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, const CampaignOptions& options,
                                  std::chrono::duration<double> lease = std::chrono::seconds(60));
 
-/// What has become of a run.
+/// The state of a run on disk.
 struct RunState {
   enum class Kind { over, running, failed, interrupted, unreadable, waiting } kind = Kind::waiting;
-  RunRecord record{};  ///< Part::state of one that is over or interrupted
-  std::string text{};  ///< who computes it, or why it failed
+  RunRecord record{};  ///< Part::state, if the run is over or interrupted
+  std::string text{};  ///< the process that computes the run, or why the run failed
 };
 
-/// The runs that lie in some folders.
+/// The runs in some folders, as they were on disk when this was made.
 class RunsOnDisk {
  public:
-  /// `parents`: those of runs' folders. `unreadable` as in read_runs().
+  /// `parents`: the parents of the runs' folders. `unreadable`: as in read_runs().
   RunsOnDisk(const std::set<std::filesystem::path>& parents,
              const std::function<void(const std::string&)>& unreadable);
 
-  /// Of the run `id` in its folder. Any thread.
+  /// The state of the run `id` in its folder. Thread-safe.
   RunState state_of(const std::filesystem::path& folder, const std::string& id) const;
 
  private:

@@ -25,55 +25,56 @@ constexpr std::array top = {
               .meaning = "What the experiment is for; does not affect its runs",
               .read_when = not_of_the_run}),
     field<&RunSettings::allow>({.name = "allow",
-              .meaning = "Verdicts that do not fail the command: implausible, for a sweep that studies "
-                         "failure. The verdict is still printed; does not affect the runs",
+              .meaning = "Verdicts that do not make the command fail: implausible, for a sweep that studies "
+                         "failure. The verdict is still printed. Does not affect the runs",
               .choices = allowed, .read_when = not_of_the_run}),
     field<&RunSettings::defaults>({.name = "defaults",
-              .meaning = "Which settings a config gets that it does not state. recommended: implicit steps "
-                         "(quasi_newton) of a membrane in N/m, sound at every resolution; "
-                         "pbd with coarse levels where a config states what only projections take, k for "
-                         "example; fast: fewer iterations, in less time than the paper's settings take; "
-                         "reference: implicit steps that converge (newton), slow; paper: those with which we "
+              .meaning = "Defaults of the settings that a config does not state. recommended: implicit steps "
+                         "(quasi_newton) of a membrane in N/m, sound at every resolution; but pbd with "
+                         "coarse levels if the config states a setting that only projections take, such as "
+                         "k. fast: fewer iterations, in less time than the paper's settings take. reference: "
+                         "implicit steps that converge (newton), slow. paper: the settings with which we "
                          "repeat the paper (adaptive springs with k 0.5, the pin's neighbours pinned, one "
                          "substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names, .read_when = not_of_the_run}),
     field<&RunSettings::settled_speed>({.name = "settled_speed", .unit = "m/s",
               .meaning = "The run ends early when no vertex has been faster than this for half a simulated "
-                         "second (checked 60 times a simulated second); its summary then has settled_at. "
-                         "0: it never ends early",
+                         "second (checked 60 times a simulated second); its summary then has settled_at. 0: "
+                         "the run never ends early",
               .minimum = 0}),
 };
 
 constexpr std::array accuracy = {
     field<&Accuracy::solver>({.name = "solver",
-              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into a reference with "
-                         "the same energies, its equilibrium for example; the summary then has the errors "
-                         "against it, error_solver_rms and others. The reference is a separate run, below "
-                         "<results>/<experiment>/references, computed once for all runs that differ only in "
-                         "what is changed here"}),
+              .meaning = "List of changes, each \"/json/pointer=value\", that turn this run into a reference "
+                         "with the same energies, such as its equilibrium. The summary then has the errors "
+                         "against the reference: error_solver_rms and more. The reference is a separate run, "
+                         "below <results>/<experiment>/references. It is computed once for all runs that "
+                         "differ only in the settings changed here"}),
     field<&Accuracy::solver_coarser>({.name = "solver_coarser",
               .meaning = "Further changes that make a second reference, half as fine; its distance from the "
-                         "first one is error_solver_reference_gap"}),
+                         "first reference is error_solver_reference_gap"}),
     field<&Accuracy::physical>({.name = "physical",
-              .meaning = "Changes that turn this run into the stated cloth, even with another model or "
-                         "resolution; the summary then has error_physical_rms and others. The reference's "
-                         "pose is interpolated at this run's vertices"}),
+              .meaning = "List of changes that turn this run into a reference for the stated cloth. The "
+                         "reference may have another model or resolution: its pose is interpolated at this "
+                         "run's vertices. The summary then has error_physical_rms and more"}),
     field<&Accuracy::physical_coarser>({.name = "physical_coarser",
               .meaning = "Further changes that make a second reference, half as fine; its distance from the "
-                         "first one is error_physical_reference_gap"}),
+                         "first reference is error_physical_reference_gap"}),
     field<&Accuracy::start_from_end>({.name = "start_from_end",
-              .meaning = "true: the reference starts where this run ends, so that both come to the same "
+              .meaning = "true: the reference starts where this run ends, so that both runs come to the same "
                          "equilibrium if the scene has many. Each run then has its own reference",
               .read_when = compares}),
     field<&Accuracy::align>({.name = "align",
-              .meaning = "How the reference's pose is moved onto this run's before they are compared. none: "
-                         "not at all; vertical: by the best rotation about the vertical through the middle "
-                         "of the pins (without pins: of the mesh); rigid: by the best rigid motion",
+              .meaning = "How the reference's pose is moved onto this run's pose before the two are "
+                         "compared. none: not at all; vertical: by the best rotation about the vertical "
+                         "through the middle of the pins (without pins: of the mesh); rigid: by the best "
+                         "rigid motion",
               .choices = align_by_names, .read_when = compares}),
     field<&Accuracy::over_time>({.name = "over_time",
-              .meaning = "true: compare all frames that both recorded at the same time, instead of the last "
-                         "frame of each. The errors are then means over these frames, with the largest as "
-                         "…_worst, and the error of the energy is among them", .read_when = compares}),
+              .meaning = "true: compare all frames that both runs recorded at the same time, instead of only "
+                         "their last frames. The errors are then means over these frames, …_worst are the "
+                         "largest errors, and the energy has an error, too", .read_when = compares}),
 };
 
 constexpr std::array quality = {
@@ -95,13 +96,13 @@ std::array<Field, 3> make_output() {
   // clang-format off
   return {
       field<&OutputSettings::frames_per_second>({.name = "frames_per_second", .unit = "1/s",
-                .meaning = "Recorded frames per simulated second, at most one a step",
+                .meaning = "Recorded frames per simulated second, at most one frame per step",
                 .minimum = 0, .maximum = 1e6, .above = true}),
       field<&OutputSettings::constraints>({.name = "constraints",
                 .meaning = "true: the run file lists every constraint; false: only their counts and hash"}),
       field<&OutputSettings::measures>({.name = "measures",
                 .meaning = "Measures to take in addition to those that every run has; `bendlab measures` "
-                           "says what each finds out, the names of its numbers, and its cost",
+                           "lists the purpose, the metrics and the cost of each measure",
                 .choices = measures_on_request()}),
   };
   // clang-format on
@@ -110,21 +111,21 @@ std::array<Field, 3> make_output() {
 constexpr std::array lists = {
     ConfigList{"effects",
                "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}. Only "
-               "some types, obstacles for example, may be listed more than once. Absent: gravity and "
-               "viscous_drag of 1 N s/m³, about that of air; an empty list: nothing"},
+               "some types, obstacles for example, may be listed more than once. Absent: gravity, and a "
+               "viscous_drag of 1 N s/m³, about the drag of air. An empty list: nothing acts"},
     ConfigList{"sweep",
-               "What to vary: {\"/json/pointer\": [values]}; \"all\" instead of the list stands for every "
-               "choice of a setting. There is one run per combination, and the last pointer varies fastest. "
-               "A pointer may also name a whole object, or the whole list of effects"},
+               "Settings to vary: {\"/json/pointer\": [values]}; \"all\" instead of the list stands for "
+               "every choice of a setting. There is one run per combination of values, and the last pointer "
+               "varies fastest. A pointer may also name a whole object, or the whole list of effects"},
     ConfigList{"cover",
-               "Runs a part of a large sweep: with \"cover\": 3 every combination of values of any three "
-               "axes occurs in at least one run. A greedy search keeps the runs few; they are the same on "
-               "every machine. Values that do not go together are left out, and 'bendlab plan' lists them. "
-               "A number (the strength), or an object"},
+               "Runs only a part of a large sweep: with \"cover\": 3, every combination of values of any "
+               "three axes occurs in at least one run. A greedy search keeps the number of runs small, and "
+               "finds the same runs on every machine. Combinations of values that no run can have are left "
+               "out, and 'bendlab plan' lists them. Give a number (the strength) or an object"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
-    ConfigList{"because",
-               "Why settings are as they are, with sources: {\"/json/pointer\": text}; does not affect the "
-               "runs"},
+    ConfigList{
+        "because",
+        "Why settings have their values, with sources: {\"/json/pointer\": text}; does not affect the runs"},
 };
 
 std::vector<Section> make_sections() {

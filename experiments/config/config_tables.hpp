@@ -1,4 +1,4 @@
-// Every setting of a config: those of the scene, and those of the run beside them.
+// Every setting of a config: the scene's settings, and the run's own settings beside the scene.
 #pragma once
 
 #include <span>
@@ -10,27 +10,28 @@
 
 namespace bendlab {
 
-/// RunSettings itself, or a struct of it beside the scene: its pointer, what it is for, and its rows.
+/// A part of the run's own settings, RunSettings itself or one of its structs beside the scene: pointer,
+/// purpose and table of settings.
 struct RunPart {
   std::string_view pointer, meaning;
   FieldTable table;
-  const void* (*in)(const RunSettings& settings);  ///< where it is
+  const void* (*in)(const RunSettings& settings);  ///< address of the part in `settings`
 };
 
 /// "" (the top level), "/output", "/accuracy" and "/quality".
 std::span<const RunPart> run_parts();
 
-/// Every section, parents before children, in the order of the reference page: the top level, those of the
-/// scene, /output, /accuracy and /quality.
+/// Every section, parents before children, in the order in which `bendlab schema` prints them: the top level,
+/// the scene's sections, /output, /accuracy and /quality.
 std::span<const Section> config_sections();
 
-/// The section of that pointer, or nullptr.
+/// The section at `pointer`, or nullptr.
 const Section* find_section(std::string_view pointer);
 
 /// The sections directly below `pointer`.
 std::vector<const Section*> child_sections(std::string_view pointer);
 
-/// The measures that /output/measures may name: measures/measure.cpp, which knows them all, defines it.
+/// The measures that /output/measures may name. Defined in measures/measure.cpp, which knows all measures.
 std::span<const std::string_view> measures_on_request();
 
 /// The last part of a section's pointer: its key in the parent object.

@@ -12,15 +12,15 @@
 namespace bendlab {
 namespace {
 
-constexpr std::size_t open = static_cast<std::size_t>(-1);  // the value of an axis that has none yet
-constexpr std::size_t most_tuples = 20'000'000;             // a byte each
-constexpr int candidates = 10;  // rows of which the best is kept: with 50 the arrays were 1 % smaller
-// How many rows may be refused before a combination counts as impossible. After the first, greedy rows about
-// every second value is drawn at random: if a combination needs one value of an axis that has two, no row
-// finds it with a probability of 0.75^55 = 10⁻⁷.
+constexpr std::size_t open = static_cast<std::size_t>(-1);  // marks an axis that has no value yet
+constexpr std::size_t most_tuples = 20'000'000;             // one byte each
+constexpr int candidates = 10;  // rows of which the best is kept; 50 rows made the arrays only 1 % smaller
+// How many refused rows make a combination count as impossible. The first rows are greedy; in the later rows
+// about every second value is random. Suppose a combination is allowed only with one of the two values of
+// another axis: then all 55 random rows miss that value with a probability of 0.75^55 = 10⁻⁷.
 constexpr int greedy_attempts = 5, most_attempts = 60;
 
-// The standard library's distributions differ between machines.
+// A generator of our own, because the standard library's distributions differ between machines.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed) {}
@@ -37,7 +37,7 @@ class Random {
   std::uint64_t seed_, drawn_ = 0;
 };
 
-// Which combinations of values of `strength` axes are in some row.
+// Keeps track of the combinations of values of any `strength` axes: which of them are in a row.
 class Coverage {
  public:
   Coverage(std::span<const std::size_t> sizes, std::size_t strength) : sizes_(sizes) {
@@ -51,13 +51,13 @@ class Coverage {
   std::size_t tuples() const { return tuples_; }
   std::size_t missing() const { return missing_; }
 
-  /// How many combinations that are in no row yet `row` would hold with `value` at `axis`; axes without a
-  /// value do not count.
+  /// How many uncovered combinations `row` would cover with `value` at `axis`. Combinations with an axis that
+  /// has no value yet do not count.
   std::size_t gain(CoverRow& row, std::size_t axis, std::size_t value) const {
     row[axis] = value;
     std::size_t gain = 0;
     for (const std::size_t g : groups_of_axis_[axis])
-      if (const std::size_t place = permuted(groups_[g], row);
+      if (const std::size_t place = index_in(groups_[g], row);
           place != open && groups_[g].state[place] == missing_here)
         ++gain;
     row[axis] = open;
@@ -66,14 +66,15 @@ class Coverage {
 
   std::size_t gain(const CoverRow& row) const {
     return static_cast<std::size_t>(std::ranges::count_if(
-        groups_, [&](const Group& group) { return group.state[permuted(group, row)] == missing_here; }));
+        groups_, [&](const Group& group) { return group.state[index_in(group, row)] == missing_here; }));
   }
 
   void add(const CoverRow& row) {
-    for (Group& group : groups_) settle(group, permuted(group, row), covered);
+    for (Group& group : groups_) settle(group, index_in(group, row), covered);
   }
 
-  /// A combination that is in no row, of the axes that miss most combinations; empty if there is none.
+  /// An uncovered combination, of the axes with most uncovered combinations; empty if every combination is
+  /// covered.
   CoverTuple first_missing() const {
     const auto worst = std::ranges::max_element(groups_, {}, &Group::missing);
     if (worst == groups_.end() || worst->missing == 0) return {};
@@ -88,7 +89,7 @@ class Coverage {
     return tuple;
   }
 
-  /// Gives up covering every combination that holds `tuple`. Returns how many.
+  /// Marks the uncovered combinations that contain `tuple` as impossible. Returns their number.
   std::size_t give_up(const CoverTuple& tuple) {
     std::size_t given_up = 0;
     for (Group& group : groups_) {
@@ -114,14 +115,14 @@ class Coverage {
     tuples_ += count;
     if (tuples_ > most_tuples)
       throw std::invalid_argument(
-          fmt::format("more than {} combinations of {} are to be covered; choose a smaller strength",
-                      most_tuples, counted(axes.size(), "value")));
+          fmt::format("the cover has more than {} combinations of {}; choose a smaller strength", most_tuples,
+                      counted(axes.size(), "value")));
     missing_ = tuples_;
     for (const std::size_t axis : axes) groups_of_axis_[axis].push_back(groups_.size());
     groups_.push_back({axes, std::vector<State>(count, missing_here), count});
   }
 
-  // The next ascending selection of as many axes, as an odometer.
+  // Advances `axes` to the next ascending selection of the same size, like an odometer. False after the last.
   bool next_group(std::vector<std::size_t>& axes) const {
     const std::size_t count = axes.size();
     for (std::size_t i = count; i-- > 0;) {
@@ -133,8 +134,8 @@ class Coverage {
     return false;
   }
 
-  // Where the row's combination is in the group's list; `open` where one of the axes has no value.
-  std::size_t permuted(const Group& group, const CoverRow& row) const {
+  // Index of the row's combination in the group's list; `open` if an axis of the group has no value.
+  std::size_t index_in(const Group& group, const CoverRow& row) const {
     std::size_t place = 0;
     for (const std::size_t axis : group.axes) {
       if (row[axis] == open) return open;
@@ -170,7 +171,7 @@ class Coverage {
   std::size_t tuples_ = 0, missing_ = 0;
 };
 
-// Which pairs of values were in a refused row and in no allowed one.
+// Pairs of values that were in a refused row and in no allowed row.
 class Suspects {
  public:
   explicit Suspects(std::span<const std::size_t> sizes) : first_(sizes.size()) {
@@ -184,7 +185,7 @@ class Suspects {
   }
 
   void refuse(const CoverRow& row) {
-    any_ = true;
+    any_refused_ = true;
     for_each_pair(row, [](State& state) { state = state == unknown ? suspect : state; });
   }
 
@@ -194,7 +195,7 @@ class Suspects {
 
   // How many suspect pairs `value` would form with the values that the row has.
   std::size_t count(const CoverRow& row, std::size_t axis, std::size_t value) const {
-    if (!any_) return 0;
+    if (!any_refused_) return 0;
     std::size_t count = 0;
     for (std::size_t other = 0; other < row.size(); ++other)
       if (row[other] != open && other != axis)
@@ -215,7 +216,7 @@ class Suspects {
   std::vector<std::size_t> first_;
   std::size_t values_ = 0;
   std::vector<State> state_;
-  bool any_ = false;
+  bool any_refused_ = false;
 };
 
 class Builder {
@@ -229,7 +230,8 @@ class Builder {
 
   CoverRows build(std::size_t most_rows) {
     result_.tuples = coverages_.back().tuples();
-    // Small combinations first: where values never go together, no larger combination needs to be tried.
+    // Small combinations first: if two values are never allowed together, no larger combination with both
+    // needs to be tried.
     for (const Coverage& coverage : coverages_)
       while (coverage.missing() > 0 && result_.rows.size() <= most_rows) cover(coverage.first_missing());
     return std::move(result_);
@@ -266,8 +268,8 @@ class Builder {
     return best;
   }
 
-  // A row with these values. Every other axis, in random order, takes the value that covers most with them;
-  // if the best rows were refused (`loosely`), about every second axis takes a random value.
+  // A row that contains `tuple`. Every other axis, in random order, takes the value that covers most. With
+  // `loosely`, for when the greedy rows were refused, about every second axis takes a random value.
   CoverRow filled_row(const CoverTuple& tuple, bool loosely) {
     CoverRow row(sizes_.size(), open);
     for (const auto& [axis, value] : tuple) row[axis] = value;
@@ -280,7 +282,7 @@ class Builder {
     return row;
   }
 
-  // Ties are broken by where the search starts.
+  // The best value of the axis. The search starts at a random value, and ties go to the first value found.
   std::size_t best_value(CoverRow& row, std::size_t axis) {
     const std::size_t start = random_.below(sizes_[axis]);
     std::size_t best = open, best_gain = 0, fewest_suspects = 0;
@@ -306,11 +308,11 @@ class Builder {
 
 CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
                         const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows) {
-  if (cover.strength < 1) throw std::invalid_argument("a cover's strength is at least 1");
+  if (cover.strength < 1) throw std::invalid_argument("the strength of a cover must be at least 1");
   if (!sizes.empty()) return Builder(sizes, cover, allowed).build(most_rows);
-  CoverRows one;
-  if (allowed({})) one.rows.emplace_back();
-  return one;
+  CoverRows single;
+  if (allowed({})) single.rows.emplace_back();
+  return single;
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// Covering arrays: few rows in which every combination of values of any few axes occurs.
+// Covering arrays: small sets of rows in which every combination of values of any few axes occurs.
 #pragma once
 
 #include <cstddef>
@@ -13,30 +13,31 @@ namespace bendlab {
 /// How a sweep is covered.
 struct Cover {
   int strength = 2;        ///< every combination of the values of this many axes occurs in a row
-  std::uint64_t seed = 1;  ///< another seed gives other rows that cover as much
+  std::uint64_t seed = 1;  ///< another seed gives different rows with the same coverage
 };
 
 /// One value index per axis.
 using CoverRow = std::vector<std::size_t>;
 
-/// Some axes and the index of the value of each, axes ascending.
+/// Values of some of the axes, as pairs (axis, index of its value), axes ascending.
 using CoverTuple = std::vector<std::pair<std::size_t, std::size_t>>;
 
 struct CoverRows {
-  std::vector<CoverRow> rows;  ///< each different, each allowed
+  std::vector<CoverRow> rows;  ///< all different, all allowed
   std::size_t tuples = 0;      ///< how many combinations of the values of `strength` axes there are
-  std::size_t missing = 0;     ///< how many of these are in no row
-  /// Why they are missing: combinations of as few values as possible for which no allowed row was found.
+  std::size_t missing = 0;     ///< how many of these combinations are in no row
+  /// Why combinations are missing: the smallest combinations for which no allowed row was found.
   std::vector<CoverTuple> impossible;
 };
 
-/// Rows such that every combination of values of any `strength` axes (all of them, if there are fewer) is in
-/// at least one row for which `allowed` is true, where there is one. Greedy (Cohen, Dalal, Fredman, Patton:
-/// The AETG System, 1997): each row begins with a combination that is not covered yet, and takes axis after
-/// axis the value that covers most; the best of a few such rows is kept. Pairs of values that `allowed`
-/// refuses are remembered and avoided. The same arguments give the same rows on every machine. `sizes` holds
-/// the number of values of each axis, each at least 1. Stops once there are more than `most_rows` rows.
-/// Throws std::invalid_argument for a strength below 1, and for more than 20 million combinations.
+/// Rows for which `allowed` is true. Every combination of values of any `strength` axes (of all axes, if
+/// there are fewer) is in at least one row, unless no allowed row was found for it. The search is greedy
+/// (Cohen, Dalal, Fredman, Patton: The AETG System, 1997): each row begins with an uncovered combination;
+/// then one axis after another takes the value that covers most. The best of a few such rows is kept. Pairs
+/// of values that `allowed` refuses are remembered and avoided. The same arguments give the same rows on
+/// every machine. `sizes` holds the number of values of each axis, each at least 1. Stops once there are more
+/// than `most_rows` rows. Throws std::invalid_argument for a strength below 1, and for more than 20 million
+/// combinations.
 CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
                         const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows);
 

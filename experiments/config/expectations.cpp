@@ -18,12 +18,12 @@ namespace {
 // clang-format off
 constexpr std::array expectation_fields = {
     field<&Expectation::metric>({.name = "metric",
-              .meaning = "Name of a number in the run's summary",
+              .meaning = "Name of a metric in the run's summary",
               .required = true}),
     field<&Expectation::minimum>({.name = "min",
-              .meaning = "Smallest value that is right, in the metric's unit; give min, max or both"}),
+              .meaning = "Smallest accepted value, in the metric's unit; give min, max or both"}),
     field<&Expectation::maximum>({.name = "max",
-              .meaning = "Largest value that is right, in the metric's unit"}),
+              .meaning = "Largest accepted value, in the metric's unit"}),
     field<&Expectation::why>({.name = "why",
               .meaning = "Where the bound comes from",
               .required = true}),
@@ -82,9 +82,8 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
     std::vector<std::string> metrics;
     for (const auto& [name, value] : summary) metrics.push_back(name);
     result.message = fmt::format(
-        "the run has no number '{}'{} (`bendlab measures` says which numbers there are, and when; `show` "
-        "lists "
-        "those of a run)",
+        "the run has no metric '{}'{} (`bendlab measures` lists all metrics, and when a run has them; "
+        "`bendlab show` lists the metrics of a run)",
         expectation.metric, suggestion(expectation.metric, metrics));
     return result;
   }
@@ -115,7 +114,7 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
   constexpr std::size_t most = 1000;
   if (expect.size() > most) {
     problems.push_back(
-        {"/expect", fmt::format("has {} entries, and at most {} are read", expect.size(), most)});
+        {"/expect", fmt::format("has {} entries, and at most {} are allowed", expect.size(), most)});
     return expectations;
   }
   for (std::size_t i = 0; i < expect.size(); ++i)
@@ -124,7 +123,7 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
 }
 
 bool matches(const Expectation& expectation, const RunConfig& config) {
-  // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
+  // A run has a value if setting this value changes nothing. So 16 matches 16.0, and {} matches an object of
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
     if (entry.key() == "/defaults") return entry.value() == config.settings().defaults;

@@ -18,11 +18,11 @@ struct Expectation {
   std::string metric;
   std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
   std::string why;
-  /// {json pointer: value}: only runs whose config has these values; empty: all.
+  /// {json pointer: value}: checks only runs whose config has these values; empty: every run.
   Json where = Json::object();
 };
 
-/// The settings of an entry of `expect`, besides its object `where`, and what that means.
+/// The settings of an entry of `expect`, without its object `where`; then the meaning of `where`.
 const FieldTable& expectation_table();
 inline constexpr std::string_view where_meaning =
     "Checks only runs that have these values: {\"/json/pointer\": value}; absent: every run";
@@ -31,18 +31,18 @@ inline constexpr std::string_view where_meaning =
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems);
 
-/// Whether the run has every value that `where` asks for. A setting that the run does not depend
-/// on matches nothing.
+/// Whether the run has every value that `where` asks for. A setting that the run does not depend on matches
+/// only null.
 bool matches(const Expectation& expectation, const RunConfig& config);
 
 struct ExpectationResult {
   Expectation expectation;
-  std::optional<double> measured;  ///< nothing where the run has no such metric
+  std::optional<double> measured;  ///< empty if the run has no such metric
   bool holds = false;              ///< false for NaN and for an unknown metric
   std::string message;             ///< one line: the metric, its value, the bound, and why
 };
 
-/// Those that match the run, against the run's summary (metric → value).
+/// Checks the expectations that match the run, against the run's summary (metric → value).
 std::vector<ExpectationResult> check_expectations(const std::vector<Expectation>& expectations,
                                                   const RunConfig& config,
                                                   const std::map<std::string, double>& summary);

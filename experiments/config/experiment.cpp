@@ -18,13 +18,13 @@ namespace bendlab {
 namespace {
 
 std::string read_file(const std::filesystem::path& file) try {
-  constexpr std::uint64_t most = 64 << 20;  // bytes: a million values of a sweep have 20 MB
+  constexpr std::uint64_t most = 64 << 20;  // bytes; a sweep of a million values has 20 MB
   return read_input_file(file, most);
 } catch (const std::runtime_error& error) {
   throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: it {}", error.what())}});
 }
 
-// Takes `key` out of the document.
+// Removes `key` from the document and returns its value.
 Json take(Json& document, const std::string& key, Json if_absent) {
   if (!document.contains(key)) return if_absent;
   Json value = std::move(document[key]);
@@ -32,7 +32,8 @@ Json take(Json& document, const std::string& key, Json if_absent) {
   return value;
 }
 
-// Problems of the settings as they stand, but where an axis fills a gap: the sweep checks its values.
+// Problems of the settings as written. Leaves out a missing setting that is swept: the sweep checks its
+// values.
 ConfigProblems problems_of(const Json& settings, const std::vector<Axis>& axes) {
   ConfigProblems found;
   read_run(with_first_values(settings, axes), found);
@@ -51,7 +52,7 @@ ConfigProblems joined(std::initializer_list<ConfigProblems> parts) {
   return all;
 }
 
-// An expectation that no run can meet checks nothing, which nobody would notice.
+// An expectation that matches no run checks nothing, and nobody would notice.
 void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
   for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
     if (std::ranges::none_of(experiment.runs,
@@ -59,7 +60,7 @@ void check_every_where_matches(const Experiment& experiment, ConfigProblems& pro
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
-// A reason for a setting that isn't there would mislead.
+// A reason for a setting that does not exist would mislead.
 void check_reasons(const Json& because, const Json& settings, ConfigProblems& problems) {
   if (!because.is_object()) {
     problems.push_back(
@@ -75,7 +76,8 @@ void check_reasons(const Json& because, const Json& settings, ConfigProblems& pr
       problems.push_back({place, "expected a text that gives the reason, got " + given_text(reason)});
 }
 
-// Before anything is computed; the first that is wrong, others most likely are for the same reason.
+// Checks the scenes of /initial/after before anything is computed. Reports only the first problem, because
+// the other runs most likely have the same problem.
 void check_earlier_scenes(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const RunConfig& run : runs) try {
       earlier_scene(run.scene());
@@ -84,30 +86,30 @@ void check_earlier_scenes(const std::vector<RunConfig>& runs, std::string_view s
     }
 }
 
-// The config's JSON with default effects and overrides in place; ConfigError where it is no JSON object at
-// all.
+// The config's JSON with default effects filled in and overrides applied. Throws ConfigError if the text is
+// no JSON object.
 Json read_document(std::string_view text, std::string_view source_name,
                    std::span<const std::string> overrides, ConfigProblems& problems) {
   std::optional<Json> document = read_strict_json(text, problems);
   if (document && !document->is_object())
-    problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
+    problems.push_back({"", "a config must be a JSON object {\"name\": …, …}"});
   if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
-  // Written out, so that overrides and axes can name their entries.
-  // Which effects they are an override may say.
+  // The default effects are written out, so that overrides and axes can name their entries. An override may
+  // choose other defaults, and with them other effects.
   if (!document->contains("effects")) {
     Json chosen = *document;
-    ConfigProblems told_below;
-    apply_overrides(chosen, overrides, told_below);
+    ConfigProblems reported_below;
+    apply_overrides(chosen, overrides, reported_below);
     if (value_at(chosen, "/sweep/~1defaults") == nullptr) (*document)["effects"] = default_effects(chosen);
   }
   apply_overrides(*document, overrides, problems);
   return *std::move(document);
 }
 
-// `of_text`: what was wrong in the text, or in the overrides that `settings` has.
+// `settings`: the config with its overrides. `of_text`: problems found in the text and in the overrides.
 Experiment parse_document(Json settings, ConfigProblems of_text, std::string_view source_name,
                           const std::filesystem::path& folder, std::span<const std::string> overrides) {
-  const Json schema = take(settings, "$schema", "");  // for editors
+  const Json schema = take(settings, "$schema", "");  // only editors read it
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
   const Json because = take(settings, "because", Json::object());
@@ -127,14 +129,16 @@ Experiment parse_document(Json settings, ConfigProblems of_text, std::string_vie
     experiment.runs = cover
                           ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, of_runs)
                           : expand_sweep(settings, folder, experiment.axes, of_runs);
-  // Where all runs are right, all values are. Where not, a value alone says more than its combinations.
+  // If all runs are valid, so are all values. If not, the problem of a single value says more than the
+  // problems of its combinations.
   if (!covered && !(sound && of_runs.empty())) check_values(settings, experiment.axes, of_values);
-  // What no combination mends is wrong beside the sweep; without an axis there is nothing else to be wrong.
+  // If no combination of a cover gives a valid run, the settings beside the sweep may be wrong. Without an
+  // axis, nothing else can be.
   if (cover && experiment.runs.empty()) of_settings = problems_of(settings, experiment.axes);
   if (!of_values.empty() || !of_settings.empty()) of_runs.clear();
   experiment.settings = std::move(settings);
   ConfigProblems problems = joined({of_text, of_settings, of_axes, of_values, of_lists, of_runs});
-  // With overrides the sweep may be a part of the one that the expectations were written for.
+  // Overrides may cut the sweep down to a part that some of the expectations do not match.
   if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
   if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
 

@@ -1,4 +1,4 @@
-// A config: strict JSON read against the tables of settings, defaults filled in, sweeps expanded.
+// Reads a config: checks strict JSON against the tables of settings, fills in defaults, expands sweeps.
 #pragma once
 
 #include <filesystem>
@@ -18,34 +18,35 @@ namespace bendlab {
 struct Experiment {
   std::string name, description;
   std::filesystem::path source;  ///< the config's file, empty if it came from text
-  /// The sweep expanded in order, last axis fastest, or covered; equal points appear once.
+  /// The runs of the sweep in order, last axis fastest, or the runs of its cover. Equal runs appear once.
   std::vector<RunConfig> runs;
   std::vector<Axis> axes;  ///< the sweep
   Covered cover;
   std::vector<Expectation> expectations;
-  /// Statuses that do not make the exit code a failure. They do not change what a run is.
+  /// Verdicts that do not make the command fail. They do not affect the runs.
   std::vector<std::string> allow;
-  Json settings;  ///< as written, with overrides, without `sweep` and `expect`
+  Json settings;  ///< as written, with overrides, without `sweep`, `cover`, `expect`, `because`
   std::vector<std::string> overrides;
 
   bool allows(RunStatus status) const;
 };
 
-/// Reads, checks and expands. `overrides` are "/json/pointer=value" texts (value as JSON, else as plain
-/// text); on a swept pointer an override replaces that axis. Throws ConfigError with every problem found; a
-/// file that cannot be read is one too.
+/// Reads a config, checks it, and expands its sweep. `overrides` are "/json/pointer=value" texts (the value
+/// is JSON, else plain text); an override of a swept pointer replaces the axis. Throws ConfigError with every
+/// problem found, also if the file cannot be read.
 Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
-/// The same from text; a mesh file is then relative to the working directory.
+/// The same from a text. Mesh files are then relative to the working directory.
 Experiment parse_experiment(std::string_view text, std::string_view source_name,
                             std::span<const std::string> overrides = {});
 
-/// The same from the text that a config's file had; a mesh file is relative to that file's folder.
+/// The same from the text that the config file `source` had. Mesh files are relative to the folder of
+/// `source`.
 Experiment parse_config(std::string_view text, const std::filesystem::path& source,
                         std::span<const std::string> overrides = {});
 
-/// The experiment of one run whose resolved settings a run file holds. A reference may be the run itself here:
-/// it may differ from other runs of the sweep that the run belongs to. Throws ConfigError.
+/// The experiment of one run whose resolved settings a run file holds. Here a reference may be the run
+/// itself, because the reference may differ from other runs of the sweep. Throws ConfigError.
 Experiment experiment_of(const Json& resolved, std::string_view source_name);
 
 }  // namespace bendlab

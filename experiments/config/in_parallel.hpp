@@ -1,4 +1,4 @@
-// Many small pieces of work that need nothing of each other, by all cores.
+// Does many small, independent pieces of work on all cores.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,9 @@
 
 namespace bendlab {
 
-/// Calls work(i) for every i below `count`, in any order, from as many threads as there are cores (at most 8)
-/// and `worth_a_thread` pieces for each. Throws what a call threw first; the others may then be left undone.
+/// Calls work(i) for every i below `count`, in any order. Uses as many threads as there are cores, but at
+/// most 8, and at most one per `worth_a_thread` pieces. If calls throw, rethrows the first exception; the
+/// remaining calls may then be skipped.
 template <class Work>
 void in_parallel(std::size_t count, std::size_t worth_a_thread, const Work& work) {
   constexpr std::size_t most_threads = 8, block = 64;
@@ -21,7 +22,7 @@ void in_parallel(std::size_t count, std::size_t worth_a_thread, const Work& work
   const std::size_t threads = std::min({most_threads, cores, 1 + count / worth_a_thread});
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
-  std::mutex mutex;  // guards it
+  std::mutex mutex;  // guards `failure`
   const auto take_blocks = [&] {
     try {
       for (std::size_t begin = next.fetch_add(block); begin < count; begin = next.fetch_add(block))
@@ -33,10 +34,10 @@ void in_parallel(std::size_t count, std::size_t worth_a_thread, const Work& work
     }
   };
   {
-    std::vector<std::jthread> others;
+    std::vector<std::jthread> helpers;
     try {
-      for (std::size_t t = 1; t < threads; ++t) others.emplace_back(take_blocks);
-    } catch (const std::system_error&) {  // no more threads can be had: those that there are do it
+      for (std::size_t t = 1; t < threads; ++t) helpers.emplace_back(take_blocks);
+    } catch (const std::system_error&) {  // no more threads are available: the existing ones do the work
     }
     take_blocks();
   }

@@ -35,13 +35,14 @@ bool is_axis(const Json& value, bool list_setting) {
          (!value.empty() && std::ranges::all_of(value, [](const Json& entry) { return entry.is_array(); }));
 }
 
-// Sets a value that lies inside the objects of a swept axis. False where one of them has no such place.
+// Sets a value at the pointer `rest` in every object of a swept axis. False if this is impossible in one
+// object.
 bool set_inside_axis(Json& values, const std::string& rest, const Json& value) {
   return values.is_array() &&
          std::ranges::all_of(values, [&](Json& entry) { return set_at(entry, rest, value); });
 }
 
-// Returns what is wrong, or "".
+// Applies an override. Returns the problem, or "".
 std::string apply(Json& document, const std::string& pointer, const std::string& text) {
   const std::vector<std::string> known = known_pointers(document);
   const auto free_places = {"/name", "/description", "/sweep", "/cover", "/expect"};
@@ -49,7 +50,8 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
       std::ranges::any_of(free_places, [&](const char* p) { return lies_within(pointer, p); });
   Json value = read_override_value(document, pointer, text);
   if (!is_free && document.contains("sweep") && document["sweep"].is_object()) {
-    // An axis of its own comes first: another one may sweep the whole that the setting lies in.
+    // First look for an axis of this very setting: another axis may sweep the object that contains the
+    // setting.
     if (const auto axis = document["sweep"].find(pointer); axis != document["sweep"].end()) {
       *axis = is_axis(value, is_list_setting(document, pointer)) ? value : Json::array({value});
       return "";
@@ -58,11 +60,13 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
       if (lies_within(pointer, swept))
         return set_inside_axis(values, pointer.substr(swept.size()), value)
                    ? ""
-                   : fmt::format("not every value that is swept for '{}' has such a place", swept);
+                   : fmt::format("not every swept value of '{}' is an object that can hold this setting",
+                                 swept);
   }
   if (!is_free && std::ranges::find(known, pointer) == known.end())
     return unknown_pointer_text(pointer, known);
-  return set_at(document, pointer, std::move(value)) ? "" : "there is no such place in the config";
+  return set_at(document, pointer, std::move(value)) ? ""
+                                                     : "the config has no object that can hold this setting";
 }
 
 bool lies_in_an_axis(const Json& document, std::string_view pointer) {
@@ -71,9 +75,9 @@ bool lies_in_an_axis(const Json& document, std::string_view pointer) {
                              [&](const auto& axis) { return lies_within(pointer, axis.key()); });
 }
 
-// A config may hold numbers for other kinds of stiffness than its own; whoever sets one means it. null sets
-// none.
-std::string unused_text(const Json& document, const std::string& pointer) {
+// Why an override is unread, or "". A config may state values for kinds of stiffness that it does not choose.
+// But an override of such a value must be a mistake, unless it is null, which states no value.
+std::string unread_text(const Json& document, const std::string& pointer) {
   const Field* const field = find_setting(document, pointer);
   if (field == nullptr || !field->depends_on.ends_with("/stiffness") ||
       lies_in_an_axis(document, field->depends_on))
@@ -81,11 +85,11 @@ std::string unused_text(const Json& document, const std::string& pointer) {
   const Json* const value = value_at(document, pointer);
   const Json* const kind = value_at(document, std::string(field->depends_on));
   if (value == nullptr || value->is_null() || kind == nullptr || !kind->is_string()) return "";
-  const std::vector<std::string_view> users = choices_that_read(*field);
+  const std::vector<std::string_view> readers = choices_that_read(*field);
   const auto& name = kind->get_ref<const std::string&>();
-  if (std::ranges::find(users, name) != users.end()) return "";
+  if (std::ranges::find(readers, name) != readers.end()) return "";
   return fmt::format("has no effect, because {} is {}; set that to {}, too", field->depends_on, name,
-                     fmt::join(users, " or "));
+                     fmt::join(readers, " or "));
 }
 
 }  // namespace
@@ -124,9 +128,9 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
     };
     if (std::ranges::any_of(pointers, clashes))
       problems.push_back(
-          {pointer, fmt::format("override '{}': the setting is set or swept by another override, "
-                                "too; keep one of them",
-                                override_text)});
+          {pointer,
+           fmt::format("override '{}': another override sets or sweeps the same setting; keep one of the two",
+                       override_text)});
     pointers.push_back(pointer);
     try {
       const std::string wrong = apply(document, pointer, override_text.substr(equals + 1));
@@ -139,7 +143,7 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
     }
   }
   for (const std::string& pointer : pointers)
-    if (const std::string wrong = unused_text(document, pointer); !wrong.empty())
+    if (const std::string wrong = unread_text(document, pointer); !wrong.empty())
       problems.push_back({pointer, wrong});
 }
 

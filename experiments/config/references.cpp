@@ -15,16 +15,15 @@
 namespace bendlab {
 namespace {
 
-// This run with changed settings: one run, which has no errors of its own.
+// The reference that `changes` make of a run: a single run without errors of its own.
 RunConfig derive_reference(const RunConfig& config, std::span<const std::string> changes) {
   const std::string what = "the reference";
   for (const std::string& change : changes)
     for (const char* section : {"/sweep", "/expect", "/accuracy"})
       if (lies_within(change.substr(0, change.find('=')), section))
-        throw ConfigError(
-            what, {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors "
-                                         "of its own; remove \"{}\"",
-                                         what, change)}});
+        throw ConfigError(what, {{section, fmt::format("cannot be changed: {} is a single run without a "
+                                                       "sweep and without errors of its own; remove \"{}\"",
+                                                       what, change)}});
   const Accuracy& accuracy = config.settings().accuracy;
   RunSettings run = config.settings();
   run.accuracy = {};
@@ -42,14 +41,14 @@ RunConfig derive_reference(const RunConfig& config, std::span<const std::string>
     throw ConfigError(
         what,
         {{"/solver/method", fmt::format("{} has no motion that could be compared over time", method.name)}});
-  // Its folder's name depends on its own settings alone, so that several runs share one reference.
+  // The name of the reference's folder depends on its own settings alone, so that several runs can share it.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
     if (const Json* value = value_at(reference.resolved(), pointer))
       reference.point.emplace_back(pointer, *value);
   return reference;
 }
 
-// What decides the run itself, without its errors.
+// The settings that decide the run itself, without /accuracy.
 std::string identity_of(const RunConfig& config) {
   RunSettings settings = config.settings();
   settings.accuracy = {};
@@ -98,7 +97,8 @@ void check_references(const std::vector<RunConfig>& runs, std::string_view sourc
           const std::optional<RunConfig> reference = reference_of(run, against, coarser);
           const bool itself = reference && !run.settings().accuracy.start_from_end &&
                               identity_of(run) == identity_of(*reference);
-          if (itself && !wrong) wrong = "changes nothing: a run differs from itself by 0";
+          if (itself && !wrong)
+            wrong = "changes nothing: the reference is the run itself, so that every error is 0";
           one_is_right |= reference && !itself;
         } catch (const ConfigError& error) {
           if (!wrong) wrong = error.what();

@@ -94,7 +94,7 @@ Json point_json(const RunConfig& config) {
 }
 
 std::string identity_text(const Json& resolved) {
-  std::string text;  // as Json::dump() writes it, without a copy of it all: for thousands of runs
+  std::string text;  // as by Json::dump(), but without copying all settings of thousands of runs
   for (const auto& [key, value] : resolved.items()) {
     text += fmt::format("{}{}:", text.empty() ? '{' : ',', Json(key).dump());
     if (key == "solver") {

@@ -1,4 +1,4 @@
-// The settings of one run, typed: what everything that builds, runs and names a run reads.
+// The typed settings of one run, read by all code that builds, computes or names a run.
 #pragma once
 
 #include <filesystem>
@@ -15,30 +15,31 @@
 
 namespace bendlab {
 
-/// One point of a sweep: every value there, only the chosen model's settings kept. The settings are read once
-/// and never change; copies share them.
+/// One point of a sweep: every setting has a value, and only the chosen model's settings are kept. The
+/// settings are read once and never change; copies share them.
 class RunConfig {
  public:
-  /// Without settings: a place for a run to be assigned to.
+  /// Empty; assign a run before use.
   RunConfig();
-  /// Files are relative to `folder`, the config's folder; it is empty if the config came from text.
+  /// File names are relative to `folder`, the config's folder. `folder` is empty if the config came from
+  /// text.
   explicit RunConfig(RunSettings settings, const std::filesystem::path& folder = {});
 
   const RunSettings& settings() const;
   const Scene& scene() const { return settings().scene; }
-  const Json& resolved() const;  ///< canonical: equal runs have equal text; holds no name and no description
+  const Json& resolved() const;  ///< canonical: equal runs have equal text; without name and description
   const std::filesystem::path& folder() const { return scene().folder; }
-  std::filesystem::path mesh_file() const;  ///< a path from here; empty: the mesh is generated
+  std::filesystem::path mesh_file() const;  ///< from the working directory; empty: the mesh is generated
 
-  /// A run that follows from this one's settings: make() is called once for each `name`, copies included, and
-  /// what it returned or threw (a ConfigError) is kept. Any thread may ask.
+  /// A run that is derived from this run's settings. make() is called once per `name`, for this object and
+  /// all its copies; the run that it returned or the ConfigError that it threw is kept. Thread-safe.
   std::optional<RunConfig> derived(const std::string& name,
                                    const std::function<std::optional<RunConfig>()>& make) const;
 
-  /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
+  /// The swept pointers and their values in this run. An axis that the run does not depend on is left out (a
   /// setting of another bending model, for example).
   std::vector<std::pair<std::string, Json>> point;
-  /// The id of the run at whose end this one starts (a reference with /accuracy/start_from_end); empty: none.
+  /// The id of the run at whose end this run starts (a reference with /accuracy/start_from_end); else empty.
   std::string starts_at_end_of;
 
  private:
@@ -46,20 +47,21 @@ class RunConfig {
   std::shared_ptr<Data> data_;
 };
 
-/// The run of canonical settings, of a run file for example. Throws std::invalid_argument for a value that is
-/// unknown, as it may be in a run file of another version.
+/// The run of canonical settings, such as the settings in a run file. Throws std::invalid_argument for an
+/// unknown value, which a run file of another version may have.
 RunConfig stored_run(const Json& resolved, const std::filesystem::path& folder = {});
 
-/// A file that a run reads: the setting that names it, the name there, and the path from here.
+/// A file that a run reads: pointer of the setting that names the file, the name in the config, and the path
+/// from the working directory.
 struct NamedFile {
   std::string pointer, name;
   std::filesystem::path path;
   bool operator==(const NamedFile&) const = default;
 };
-/// /mesh/file, and effects' files.
+/// The file of /mesh/file and the files of effects.
 std::vector<NamedFile> input_files(const RunConfig& config);
 
-/// Its place on the sweep: {pointer: value}.
+/// RunConfig::point as {pointer: value}.
 Json point_json(const RunConfig& config);
 
 /// The part of a resolved config that decides the result: canonical text without /solver/threads (any number

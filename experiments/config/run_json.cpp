@@ -20,13 +20,13 @@ void check_name(const std::string& name, ConfigProblems& problems) {
     problems.push_back(
         {"/name", "may hold letters (a-z, A-Z), digits, '_' and '-' only, because it names a folder; got " +
                       given_text(name)});
-  constexpr std::size_t longest = 100;  // a file system has 255 bytes for a name, and files add to it
+  constexpr std::size_t longest = 100;  // a file system allows 255 bytes, and names of files add to it
   if (name.size() > longest)
     problems.push_back({"/name", fmt::format("has {} characters, and a folder's name may have {}; got {}",
                                              name.size(), longest, given_text(name))});
 }
 
-// Without a reference there is nothing to compare, and how to compare does not affect the result.
+// Checks /accuracy, and resets it if there is no reference: how to compare then does not affect the result.
 void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   for (auto* list :
        {&accuracy.solver, &accuracy.solver_coarser, &accuracy.physical, &accuracy.physical_coarser})
@@ -34,13 +34,13 @@ void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   const auto needs_base = [&](const char* name, const auto& coarser, const auto& base) {
     if (coarser && !base)
       problems.push_back({fmt::format("/accuracy/{}_coarser", name),
-                          fmt::format("needs /accuracy/{}, a reference to make coarser", name)});
+                          fmt::format("needs a reference in /accuracy/{}, which it makes coarser", name)});
   };
   needs_base("solver", accuracy.solver_coarser, accuracy.solver);
   needs_base("physical", accuracy.physical_coarser, accuracy.physical);
   if (accuracy.start_from_end && accuracy.over_time)
-    problems.push_back(
-        {"/accuracy/start_from_end", "does not go with over_time: motions are compared from the same start"});
+    problems.push_back({"/accuracy/start_from_end",
+                        "cannot be combined with over_time: motions are compared from the same start"});
   if (accuracy.compares()) return;
   for (const auto& [how, chosen] :
        {std::pair{"over_time", accuracy.over_time}, {"start_from_end", accuracy.start_from_end}})
@@ -51,7 +51,8 @@ void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   accuracy = Accuracy{};
 }
 
-// The object of a part, or of the top level what is the run's there; empty where there is none.
+// The JSON object of a part; for the top level, only the run's own settings. Empty if the config has no such
+// object.
 Json object_of(const RunPart& part, const Json& top, ConfigProblems& problems) {
   Json object = Json::object();
   if (!part.pointer.empty()) {
@@ -83,15 +84,16 @@ RunSettings read_run(const Json& settings, ConfigProblems& problems) {
 ConfigProblems check_value(const Json& settings, const std::string& pointer, const Json& value,
                            const std::string& place, ConfigProblems& problems) {
   Json with_value = settings;
-  ConfigProblems found, others;
-  if (!set_at(with_value, pointer, value)) return others;  // the settings are wrong there: a problem already
+  ConfigProblems found, other_problems;
+  if (!set_at(with_value, pointer, value))
+    return other_problems;  // this problem of the settings is reported elsewhere
   read_run(with_value, found);
   for (const ConfigProblem& problem : found)
     if (lies_within(problem.pointer, pointer))
       problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
     else
-      others.push_back(problem);
-  return others;
+      other_problems.push_back(problem);
+  return other_problems;
 }
 
 Json to_json(const RunSettings& settings) {

@@ -6,12 +6,13 @@
 
 namespace bendlab {
 
-/// Reads a config without `sweep`, `cover`, `expect` and `because`: everything that is stated, on top of the
-/// defaults. Appends every problem; if there are any, the settings are meaningless.
+/// Reads a config from which `sweep`, `cover`, `expect` and `because` were removed. Settings that it does not
+/// state have their defaults. Appends every problem; if there are problems, the returned settings are
+/// meaningless.
 RunSettings read_run(const Json& settings, ConfigProblems& problems);
 
-/// Appends the problems of `settings` with `value` at `pointer` that are problems of the value, which stands
-/// at `place` of the config. Returns the others.
+/// Checks `settings` with `value` at `pointer`. Appends the problems of this value; `place` is the pointer at
+/// which the config states the value. Returns the problems of other settings.
 ConfigProblems check_value(const Json& settings, const std::string& pointer, const Json& value,
                            const std::string& place, ConfigProblems& problems);
 

@@ -1,4 +1,4 @@
-// What a run is made from: a scene, and what is measured and recorded of it.
+// The settings of a run: a scene, and what to measure and record.
 #pragma once
 
 #include <array>
@@ -14,15 +14,16 @@ namespace bendlab {
 
 struct OutputSettings {
   double frames_per_second = 30;
-  bool constraints = false;  ///< the run file lists every one
+  bool constraints = false;  ///< whether the run file lists every constraint
   std::vector<std::string> measures;
 };
 
-/// How a reference's pose is brought over a run's before they are compared.
+/// How a reference's pose is moved onto a run's pose before the two are compared.
 enum class AlignBy { none, vertical, rigid };
 inline constexpr std::array<std::string_view, 3> align_by_names = {"none", "vertical", "rigid"};
 
-/// Errors of the run. Lists of changes, "/json/pointer=value", turn the run into a reference.
+/// Which errors of the run are measured. A list of changes, "/json/pointer=value", turns the run into a
+/// reference.
 struct Accuracy {
   std::optional<std::vector<std::string>> solver, solver_coarser, physical, physical_coarser;
   bool start_from_end = false;

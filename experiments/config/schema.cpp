@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t text_width = 100;
 
-// Words of `text` in lines of at most text_width characters, each line after `indent` spaces.
+// `text` in lines of at most text_width characters, each indented by `indent` spaces.
 std::string wrapped(std::string_view text, std::size_t indent) {
   std::string result, line;
   const auto end_line = [&] {
@@ -82,7 +82,7 @@ Json rows_json(const std::vector<SettingRow>& table) {
 // Schema of the setting's value, without its default.
 Json value_schema(const Field& field) {
   constexpr std::array types = {"boolean", "integer", "number", "string",
-                                "integer", "number",  "string"};  // as in FieldType; of lists their entries
+                                "integer", "number",  "string"};  // as FieldType; for lists, of an entry
   Json entry = {{"type", types.at(static_cast<std::size_t>(field.type))}};
   if (!field.choices.empty()) entry["enum"] = field.choices;
   if (std::isfinite(field.minimum)) entry[field.above ? "exclusiveMinimum" : "minimum"] = field.minimum;
@@ -172,8 +172,9 @@ Json list_schema(std::string_view name) {
 
 std::string schema_text() {
   std::string text =
-      "A config is one JSON object, in SI units. A setting's pointer is that of its section and its name: "
-      "/mesh/cells.\nAn optional setting may also be null, which means the same as leaving it out.\n";
+      "A config is one JSON object, in SI units. The pointer of a setting is the pointer of its section and "
+      "the setting's name, such as /mesh/cells.\nAn optional setting may also be null, which means the same "
+      "as leaving it out.\n";
   for (const Section& section : config_sections())
     text += fmt::format("\n{}\n{}{}", section.pointer.empty() ? "(top level)" : section.pointer,
                         wrapped(section.meaning, 2), rows_text(section.rows));
@@ -217,7 +218,7 @@ Json model_traits_json() {
 
 namespace {
 
-// The shared settings of /solver that it reads, and its own defaults for them.
+// The shared settings of /solver that the method reads, each with the method's own default (0: it has none).
 std::vector<std::pair<std::string_view, int>> shared_settings(const MethodKind& method) {
   std::vector<std::pair<std::string_view, int>> shared = {{"dt", 0}};
   if (method.default_substeps > 0) shared.emplace_back("substeps", method.default_substeps);
@@ -231,14 +232,15 @@ bool takes(const MethodKind& method, const EffectKind& effect) {
   return method.takes_effect(effect.needs_projection, effect.acts_in_iterations);
 }
 
-// What the method does with each effect that acts among projections.
+// Which effects the method refuses, and for which it has nothing to do.
 std::string taken_effects(const MethodKind& method) {
-  std::vector<std::string_view> refused, idle;
+  std::vector<std::string_view> refused, without_work;
   for (const EffectKind* effect : effects())
-    if (!takes(method, *effect)) (effect->helps_projection ? idle : refused).push_back(effect->name);
-  if (refused.empty() && idle.empty()) return "Takes every effect";
-  return fmt::format("Refuses the effects {}{}", fmt::join(refused, ", "),
-                     idle.empty() ? "" : fmt::format("; {}: nothing to do", fmt::join(idle, ", ")));
+    if (!takes(method, *effect)) (effect->helps_projection ? without_work : refused).push_back(effect->name);
+  if (refused.empty() && without_work.empty()) return "Takes every effect";
+  return fmt::format(
+      "Refuses the effects {}{}", fmt::join(refused, ", "),
+      without_work.empty() ? "" : fmt::format("; has nothing to do for {}", fmt::join(without_work, ", ")));
 }
 
 // What a method reads besides its own settings: "dt, substeps (default 1), …", and which effects it takes.
@@ -263,7 +265,7 @@ void add_more(const MethodKind& method, Json& entry) {
 }
 void add_more(const auto&, Json&) {}
 
-// Name, then labelled lines; empty ones are left out.
+// For each kind its name, then labelled lines; empty lines are left out.
 template <class Kind>
 std::string kinds_text(std::span<const Kind* const> kinds) {
   std::string text;

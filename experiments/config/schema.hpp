@@ -1,4 +1,4 @@
-// The reference: every section, setting, bending model and effect, from the tables that parse configs.
+// Documentation from the tables that parse configs: every section, setting, bending model, method and effect.
 #pragma once
 
 #include <string>
@@ -7,28 +7,29 @@
 
 namespace bendlab {
 
-/// The config reference for a terminal.
+/// All settings of a config, for a terminal.
 std::string schema_text();
 
-/// The same as JSON Schema (draft 2020-12), units as "x-unit", and what figures ask of models and methods:
-/// for editors and other programs.
+/// The same as JSON Schema (draft 2020-12), for editors and other programs. Units are in "x-unit"; "x-models"
+/// and "x-methods" hold what figures need to know of models and methods.
 Json schema_json();
 
-/// The registered bending models: name, what is joined to what, source, limits, settings with defaults.
+/// The registered bending models: name, which vertices the model joins, source, limits, settings with
+/// defaults.
 std::string models_text();
 Json models_json();
 
 /// {name: {"label", "made_of", "prestressed"}} of the bending models, in the order of the registry: what
-/// figures ask of them. Run files, sweep files and the schema ("x-models") have it.
+/// figures need to know of the models. Stored in run files, in sweep files and in the schema ("x-models").
 Json model_traits_json();
 
-/// The registered solver methods: name, what a step does, source, limits, settings with defaults, shared
-/// settings read.
+/// The registered solver methods: name, what a step does, source, limits, settings with defaults, and the
+/// shared settings that the method reads.
 std::string methods_text();
 Json methods_json();
 
-/// {name: {setting: default}} of the solver methods, in the order of the registry: for those of their own
-/// settings that are a choice. Where model_traits_json() is ("x-methods").
+/// {name: {setting: default}} of the solver methods, in the order of the registry: the method's own settings
+/// that have choices. Stored beside model_traits_json(), in the schema as "x-methods".
 Json method_traits_json();
 
 /// The registered effects: name, what it does, source, settings with defaults.

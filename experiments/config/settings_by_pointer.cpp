@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-// The table of the effect in an entry of `effects`; empty where its type is not known.
+// The settings of the effect in an entry of `effects`; empty if its type is unknown.
 std::span<const Field> effect_table(const Json& entry) {
   if (!entry.is_object() || !entry.contains("type") || !entry["type"].is_string()) return {};
   const EffectKind* effect = find_effect(entry["type"].get_ref<const std::string&>());
@@ -48,7 +48,7 @@ std::vector<std::string> known_pointers(const Json& settings) {
       for (const Field& field : effect_table((*effects)[i])) add(entry, field.name);
       add(entry, effect_type_row().field.name);
     }
-  // The name and the description say nothing about the physics.
+  // Name and description do not affect a run, so nothing may sweep them.
   std::erase_if(known,
                 [](const std::string& pointer) { return pointer == "/name" || pointer == "/description"; });
   return known;
@@ -68,8 +68,8 @@ const Field* find_setting(const Json& settings, std::string_view pointer) {
   const std::string parent(pointer.substr(0, pointer.rfind('/')));
   const std::string_view name = last_part(pointer);
   if (const Section* section = find_section(parent)) {
-    const auto row =
-        std::ranges::find_if(section->rows, [&](const SettingRow& each) { return each.field.name == name; });
+    const auto row = std::ranges::find_if(
+        section->rows, [&](const SettingRow& candidate) { return candidate.field.name == name; });
     return row == section->rows.end() ? nullptr : &row->field;
   }
   if (!parent.starts_with("/effects/")) return nullptr;
@@ -82,7 +82,7 @@ const Field* find_setting(const Json& settings, std::string_view pointer) {
 }
 
 std::string unknown_pointer_text(std::string_view pointer, const std::vector<std::string>& known) {
-  if (pointer == "/name" || pointer == "/description") return "it has no influence on a run";
+  if (pointer == "/name" || pointer == "/description") return "this does not affect the runs";
   const bool in_an_entry =
       pointer.starts_with("/effects/") && std::ranges::none_of(known, [&](const std::string& place) {
         return place.starts_with("/effects/") && lies_within(pointer, place.substr(0, place.find('/', 9)));

@@ -17,16 +17,16 @@
 namespace bendlab {
 namespace {
 
-constexpr std::size_t most_points = 10000;  // a slip in a list should be an error, not a full memory
+constexpr std::size_t most_points = 10000;  // a typing error in a list must not fill the memory
 
 // clang-format off
 constexpr std::array cover_fields = {
     field<&Cover::strength>({.name = "strength", .unit = "1",
-              .meaning = "Every combination of the values of this many axes occurs in some run: 2 covers "
-                         "every pair of values",
+              .meaning = "Every combination of the values of this many axes occurs in a run: 2 covers every "
+                         "pair of values",
               .minimum = 1, .maximum = 6, .required = true}),
     field<&Cover::seed>({.name = "seed", .unit = "1",
-              .meaning = "Another seed gives other runs that cover as much",
+              .meaning = "Another seed gives different runs with the same coverage",
               .minimum = 0, .maximum = std::numeric_limits<std::uint32_t>::max()}),
 };
 // clang-format on
@@ -35,12 +35,12 @@ constexpr std::array cover_fields = {
 Json normalised(const Json& settings, const std::string& pointer, const Json& value) {
   const Field* row = find_setting(settings, pointer);
   if (row == nullptr) return value;
-  ConfigProblems problems;  // reported when the value is checked in its place
+  ConfigProblems problems;  // check_values() reports them
   const std::optional<Value> read = read_value(*row, value, pointer, problems);
   return read ? json_of(*read) : value;
 }
 
-// What is swept: the list as it stands, or for "all" every choice of the setting.
+// The swept values: the list as written, or for "all" every choice of the setting.
 Json listed(const Json& settings, const std::string& pointer, const Json& values) {
   const Field* row = values == "all" ? find_setting(settings, pointer) : nullptr;
   if (row == nullptr || row->choices.empty()) return values;
@@ -53,13 +53,14 @@ std::string axis_pointer(const std::string& pointer) {
   return child_pointer("/sweep", pointer);
 }
 
-// Whether the run depends on the setting at `pointer`: what contains it is still there after resolving.
+// Whether the run depends on the setting at `pointer`: its resolved settings still have the setting, or the
+// object that contains it.
 bool depends_on(const Json& resolved, const std::string& pointer) {
   return value_at(resolved, pointer) != nullptr ||
          value_at(resolved, pointer.substr(0, pointer.rfind('/'))) != nullptr;
 }
 
-// One value index per axis, counted up like an odometer; false after the last combination.
+// Advances `indices`, one value index per axis, like an odometer. False after the last combination.
 bool advance(std::vector<std::size_t>& indices, const std::vector<Axis>& axes) {
   for (std::size_t a = axes.size(); a-- > 0;) {
     if (++indices[a] < axes[a].second.size()) return true;
@@ -81,14 +82,14 @@ std::string point_text(const std::vector<Axis>& axes, const std::vector<std::siz
   return tuple_text(axes, whole);
 }
 
-// The run at one combination, which shares what it can with the run `like`; its problems are those of values
-// that do not go together.
+// The run at one combination of values. Appends the problems of values that cannot be combined.
 RunConfig make_run(Json settings, const std::filesystem::path& folder, const std::vector<Axis>& axes,
                    const std::vector<std::size_t>& indices, ConfigProblems& problems) {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (!set_at(settings, axes[a].first, axes[a].second[indices[a]]))
       problems.push_back(
-          {axis_pointer(axes[a].first), "there is no such place at " + point_text(axes, indices)});
+          {axis_pointer(axes[a].first),
+           "the config has no object that can hold this setting at " + point_text(axes, indices)});
   ConfigProblems found;
   RunSettings read = read_run(settings, found);
   for (const ConfigProblem& problem : found)
@@ -103,7 +104,7 @@ RunConfig make_run(Json settings, const std::filesystem::path& folder, const std
   return run;
 }
 
-// Of runs with equal settings the first.
+// Keeps only the first of runs with equal settings.
 std::vector<RunConfig> without_repeats(std::vector<RunConfig> runs) {
   const auto hash = [](const RunConfig& run) { return std::hash<Json>()(run.resolved()); };
   const auto equal = [](const RunConfig& a, const RunConfig& b) { return a.resolved() == b.resolved(); };
@@ -131,18 +132,18 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
       problems.push_back({axis_pointer(pointer), "cannot be swept: " + unknown_pointer_text(pointer, known)});
     else if (!values.is_array() || values.empty())
       problems.push_back({axis_pointer(pointer),
-                          "expected a list of at least one value, because it is swept, or \"all\" for every "
-                          "choice of a setting that has choices"});
+                          "expected a list of at least one value to sweep, or \"all\" for every choice of a "
+                          "setting that has choices"});
     else if (contained != axes.end())
       problems.push_back(
-          {axis_pointer(pointer), fmt::format("would overwrite '{}', which is swept before it: list it "
-                                              "first",
+          {axis_pointer(pointer), fmt::format("would overwrite '{}', which is listed before it: list this "
+                                              "object before the settings inside it",
                                               contained->first)});
     else if (values.size() > most_points) {
       too_long = true;
       problems.push_back(
-          {axis_pointer(pointer), fmt::format("has {} values, and a sweep has at most {} runs; "
-                                              "shorten the list, or make several configs of it",
+          {axis_pointer(pointer), fmt::format("has {} values, and a sweep has at most {} runs; shorten the "
+                                              "list, or split the sweep into several configs",
                                               values.size(), most_points)});
     } else {
       Axis& axis = axes.emplace_back(pointer, std::vector<Json>());
@@ -153,8 +154,8 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
   if (!covered && !too_long && points > most_points)
     problems.push_back(
         {"/sweep",
-         fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
-                     "run a part that has every pair of values, with \"cover\": 2",
+         fmt::format("has more than {} combinations; shorten the lists, split the sweep into several "
+                     "configs, or add \"cover\": 2 to run a part of the sweep that has every pair of values",
                      most_points)});
   return axes;
 }
@@ -162,7 +163,7 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
 void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
   std::size_t values = 0;
   for (const Axis& axis : axes) values += axis.second.size();
-  if (values > most_points) return;  // a problem already
+  if (values > most_points) return;  // read_axes() reports that
   const Json base = with_first_values(settings, axes);
   ConfigProblems known;
   read_run(base, known);
@@ -229,7 +230,7 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
                                     ConfigProblems& problems) {
   std::vector<std::size_t> sizes;
   for (const Axis& axis : axes) sizes.push_back(axis.second.size());
-  std::map<CoverTuple, ConfigProblem> why;  // a value → what was wrong with a point that has it
+  std::map<CoverTuple, ConfigProblem> why;  // a value → the problem of a run with it
   std::vector<RunConfig> allowed_runs;
   const auto allowed = [&](const CoverRow& row) {
     ConfigProblems found;

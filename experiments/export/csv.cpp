@@ -1,9 +1,9 @@
-// CSV (RFC 4180, but lines end in a line feed alone): the numbers of a run for a spreadsheet. A number has
-// the fewest digits that read back to the same one; what is not a number is an empty cell.
+// CSV (RFC 4180, but lines end in a line feed alone): the metrics of a run for a spreadsheet. A number has
+// the fewest digits that read back to the same number. NaN becomes an empty cell.
 //
-//   summary.csv    name,value,unit,meaning    the numbers of the summary
+//   summary.csv    name,value,unit,meaning    the metrics of the summary
 //   frames.csv     frame,time,…               a row per frame, a column per metric
-//   columns.csv    name,unit,meaning          of frames.csv
+//   columns.csv    name,unit,meaning          the columns of frames.csv
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@
 namespace bendlab {
 namespace {
 
-// In quotes if it has to be.
+// Quotes a text if it has to be quoted.
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -25,11 +25,12 @@ std::string csv_number(double value) {
   return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
 
-// What is known of a number of the summary.
-Quantity quantity_of(const std::string& name) {
+// Unit and meaning of a metric of the summary; empty if no measure gives the metric.
+Quantity metric_of(const std::string& name) {
   for (const Measure* measure : measures()) {
     const std::vector<Quantity> all = measure->gives();
-    if (const auto found = std::ranges::find(all, name, &Quantity::name); found != all.end()) return *found;
+    if (const auto metric = std::ranges::find(all, name, &Quantity::name); metric != all.end())
+      return *metric;
   }
   return {name, "", ""};
 }
@@ -37,9 +38,9 @@ Quantity quantity_of(const std::string& name) {
 void write_summary(const ExportedRun& run, OutputFile& file) {
   file.write("name,value,unit,meaning\n");
   for (const auto& [name, value] : run.record.summary) {
-    const Quantity quantity = quantity_of(name);
-    file.print("{},{},{},{}\n", csv_cell(name), csv_number(value), csv_cell(quantity.unit),
-               csv_cell(quantity.meaning));
+    const Quantity metric = metric_of(name);
+    file.print("{},{},{},{}\n", csv_cell(name), csv_number(value), csv_cell(metric.unit),
+               csv_cell(metric.meaning));
   }
 }
 

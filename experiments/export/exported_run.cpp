@@ -27,7 +27,7 @@ struct FrameRange {
   std::int64_t first, last, step;  // last included
 };
 
-// The range that a text means, in a run of `count` frames; nothing if it is none.
+// The range that `text` names in a run of `count` frames; nothing if `text` is not such a range.
 std::optional<FrameRange> range_of(std::string_view text, std::int64_t count) {
   std::array<std::optional<std::int64_t>, 3> given;
   std::size_t part = 0;
@@ -66,7 +66,7 @@ void choose_frames(ExportedRun& run, std::string_view text) {
     run.frames.push_back({k, times[static_cast<std::size_t>(k)]});
 }
 
-// Of a config that this program may not know.
+// Reads the JSON itself, because this program may not know the config: another version may have written it.
 double frames_per_second_of(const Json& config, const ExportedRun& run) {
   const Json* const setting = value_at(config, "/output/frames_per_second");
   if (setting && setting->is_number() && setting->get<double>() > 0) return setting->get<double>();
@@ -75,14 +75,15 @@ double frames_per_second_of(const Json& config, const ExportedRun& run) {
                                 : 1;
 }
 
-// Triangles without indices that lead nowhere, which a damaged file without checksum may have.
+// Throws if a triangle names a vertex that does not exist, as in a damaged file without checksum.
 void require_sound(const Surface& cloth, const RunRecord& record) {
   const auto& t = cloth.triangles;
   if (t.size() > 0 && (t.minCoeff() < 0 || t.maxCoeff() >= cloth.positions.rows()))
     throw file_error(record.file, "can't be exported", "a triangle names a vertex that does not exist", 0);
 }
 
-// Those of the mesh file, in rows of which no two are equal.
+// Stores the texture coordinates of the mesh file, equal coordinates only once. `corners`: a row for each
+// corner of each triangle.
 void take_texture(Surface& cloth, const TextureCoordinates& corners) {
   std::map<std::array<double, 2>, int> rows;
   cloth.texture_corners.resize(cloth.triangles.rows(), 3);
@@ -106,11 +107,12 @@ TextureCoordinates texture_in_file(const RunConfig& config, const std::vector<In
   return std::move(mesh.texture_coordinates);
 }
 
-// A sheet that is flat at rest and square to the axes: its own coordinates, the longer side from 0 to 1.
+// Texture coordinates for a sheet that is flat at rest and square to the axes: its rest coordinates, scaled
+// so that the longer side goes from 0 to 1.
 void take_flat_coordinates(Surface& cloth) {
   const Eigen::RowVector3d low = cloth.positions.colwise().minCoeff(),
                            extent = cloth.positions.colwise().maxCoeff() - low;
-  constexpr double flat = 1e-6;  // of the longer side: files may store rounded coordinates
+  constexpr double flat = 1e-6;  // of the longer side, because files may store rounded coordinates
   Eigen::Index across = 0;
   const double longest = extent.maxCoeff();
   if (!(longest > 0) || extent.minCoeff(&across) > flat * longest) return;
@@ -121,7 +123,7 @@ void take_flat_coordinates(Surface& cloth) {
   cloth.texture_corners = cloth.triangles;
 }
 
-// The bytes of the file that an effect names, as the run file has them; null if it names none. Throws
+// The bytes of the file that an effect names, from the run file; null if the effect names no file. Throws
 // std::invalid_argument if the run file lacks it.
 const std::string* file_of(const Effect& effect, std::size_t index, const std::vector<InputFile>& inputs) {
   for (const Field& field : effect.kind().settings.fields) {
@@ -135,7 +137,7 @@ const std::string* file_of(const Effect& effect, std::size_t index, const std::v
   return nullptr;
 }
 
-// What only the settings tell: texture, obstacles, the direction of gravity.
+// Takes the parts that only the settings give: texture, obstacles, the direction of gravity.
 void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>& gravity_up) try {
   const RunConfig config = stored_run(json);
   const std::vector<InputFile> inputs = read_inputs(run.record.file);
@@ -150,9 +152,9 @@ void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>&
     run.surfaces.push_back(std::move(obstacle));
 } catch (const RunFileError&) {
   throw;
-} catch (const std::exception& error) {  // of another version of this program
+} catch (const std::exception& error) {  // another version of this program wrote the settings
   run.notes.push_back(fmt::format(
-      "obstacles are left out: the run's settings can't be read by this version: {}", error.what()));
+      "obstacles are left out, because this version can't read the run's settings: {}", error.what()));
 }
 
 // (x, y, z) with z up is (x, z, -y) with y up.
@@ -200,7 +202,7 @@ Positions ExportedRun::positions(const Surface& surface, const ExportedFrame& fr
 }
 
 double ExportedRun::time_code(const ExportedFrame& frame) const {
-  constexpr double rounding = 1e-6;  // of a frame, as the run recorded it
+  constexpr double rounding = 1e-6;  // of a frame; the run stores rounded times
   const double code = frame.time * frames_per_second, whole = std::round(code);
   return std::abs(code - whole) < rounding ? whole : code;
 }

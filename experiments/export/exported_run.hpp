@@ -1,4 +1,4 @@
-// What an export takes from a run: its cloth, its obstacles, and the chosen frames.
+// The parts of a run that an export writes: its cloth, its obstacles, and the chosen frames.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ inline constexpr std::array<std::string_view, 2> up_axis_names = {"y", "z"};
 
 /// A triangulated surface that an export writes: the cloth, or an obstacle.
 struct Surface {
-  std::string name;  ///< a letter, then letters, digits and '_': also of files and of prims in USD
+  std::string name;  ///< a letter, then letters, digits and '_'; also names files, and prims in USD
   bool deforms = false;
-  Positions positions;                 ///< #V by 3, m: of the cloth at rest, of an obstacle at time 0
+  Positions positions;                 ///< #V by 3, m; the cloth at rest, or an obstacle at time 0
   Triangles triangles;                 ///< #T by 3
   TextureCoordinates texture;          ///< #U by 2, or empty
   Triangles texture_corners;           ///< #T by 3, rows of `texture`
@@ -32,42 +32,44 @@ struct Surface {
 };
 
 struct ExportedFrame {
-  std::int64_t number = 0;  ///< in the run, from 0
+  std::int64_t number = 0;  ///< index in the run, from 0
   double time = 0;          ///< s
 };
 
 struct ExportedRun {
   RunRecord record;
-  std::string version;                ///< of the program that computed it
-  std::vector<ExportedFrame> frames;  ///< the chosen ones, at least one
-  std::int64_t step = 1;              ///< from one of them to the next
+  std::string version;                ///< of the program that computed the run
+  std::vector<ExportedFrame> frames;  ///< the chosen frames, at least one
+  std::int64_t step = 1;              ///< from a chosen frame to the next
   double frames_per_second = 0;
   UpAxis up = UpAxis::z;
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< from the run's coordinates to those with `up` up
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< turns the run's coordinates so that `up` is up
   bool double_positions = false;                       ///< the run stores float64
-  bool needs_double = false;         ///< single precision would round its edges: it is far from the origin
-  Vector3 origin = Vector3::Zero();  ///< m, relative to which floats hold its positions; 0 unless needed
+  bool needs_double = false;         ///< single precision would round edges, far from the origin
+  Vector3 origin = Vector3::Zero();  ///< m; positions as floats are relative to it; 0 unless needed
   std::vector<Surface> surfaces;     ///< the cloth, then the obstacles
-  std::vector<std::string> notes;    ///< what is left out, and why
+  std::vector<std::string> notes;    ///< parts that are left out, with the reason
 
-  /// Of a surface in a frame, #V by 3, m. Throws RunFileError.
+  /// Positions of a surface in a frame, #V by 3, m. Throws RunFileError.
   Positions positions(const Surface& surface, const ExportedFrame& frame) const;
 
-  /// The frame's time in frames: its number, where the run recorded frames at even times.
+  /// The frame's time, counted in frames. It is the frame's number if the run recorded frames at even times.
   double time_code(const ExportedFrame& frame) const;
 };
 
-/// The obstacles among a run's effects, where they are at time 0. Round ones have 96 corners around, which
-/// lie on their surface. A plane is a square of 4 `size` below or beside `centre`, those of the cloth's rest
-/// box. Mesh obstacles are read from `inputs`, the files in the run file. A spin is not there: it turns a
-/// round shape into itself. `notes` receives why an obstacle is left out.
+/// The surfaces of the obstacles among a run's effects, at time 0. A round obstacle has 96 corners around,
+/// which lie on its surface. A plane is a square with sides of 4 `size`, below or beside `centre`; `centre`
+/// and `size` are those of the cloth's rest box. Mesh obstacles are read from `inputs`, the files in the run
+/// file. A spin is left out, because it turns a round shape into itself. `notes` receives the reason if an
+/// obstacle is left out.
 std::vector<Surface> obstacle_surfaces(const std::vector<Effect>& effects,
                                        const std::vector<InputFile>& inputs, const Vector3& centre,
                                        double size, std::vector<std::string>& notes);
 
-/// `frames`: "FIRST:LAST:STEP", any of them left out, or one number; negative numbers count from the end;
-/// empty: all. `up`: the run is turned so that this axis is up; by default it is not turned, and gravity
-/// tells which one is. Throws UsageError for frames that the run does not have, RunFileError.
+/// `frames`: "FIRST:LAST:STEP", in which any number may be left out, or one number. Negative numbers count
+/// from the end; empty: all frames. `up`: the run is turned so that this axis is up. By default it is not
+/// turned, and the direction of gravity says which axis is up. Throws UsageError for frames that the run does
+/// not have, RunFileError.
 ExportedRun open_for_export(const RunRecord& record, std::string_view frames, std::optional<UpAxis> up);
 
 }  // namespace bendlab

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::array all = {&format::csv, &format::obj,  &format::ply,
                             &format::pc2, &format::usda, &format::xdmf};
 
-// A format of another file than the one that --to names.
+// Throws UsageError if the format does not fit the file that --to names.
 void check_file(const ExportedRun& run, const Format& format, const fs::path& to) {
   const std::string extension = to.extension().string();
   const bool is_file = extension == fmt::format(".{}", format.name);
@@ -32,33 +32,33 @@ void check_file(const ExportedRun& run, const Format& format, const fs::path& to
   if (!is_file && fs::exists(to) && !fs::is_directory(to))
     refuse(fmt::format("is a file, but its extension is not .{}; name a folder", format.name));
   if (is_file && format.in_one_file == InOneFile::nothing)
-    refuse(fmt::format("{} is several files; name a folder", format.name));
+    refuse(fmt::format("{} writes several files; name a folder", format.name));
   if (is_file && format.in_one_file == InOneFile::a_frame && run.frames.size() > 1)
-    refuse(fmt::format("{} has a file for each of the {} frames; name a folder, or one frame with --frames",
-                       format.name, run.frames.size()));
+    refuse(
+        fmt::format("{} writes a file for each of the {} frames; name a folder, or one frame with --frames",
+                    format.name, run.frames.size()));
 }
 
-// Said where a format has no times, and the run's frames are not evenly spaced.
+// Notes that times are lost, if the format has no times and the run's frames are not evenly spaced.
 void note_uneven_times(ExportedRun& run, const Format& format) {
   constexpr double visible = 1e-3;  // of a frame
   const auto uneven = [&](const ExportedFrame& frame) {
     return std::abs(run.time_code(frame) - static_cast<double>(frame.number)) > visible;
   };
-  const auto found = std::ranges::find_if(run.frames, uneven);
-  if (!format.has_times && found != run.frames.end())
+  const auto frame = std::ranges::find_if(run.frames, uneven);
+  if (!format.has_times && frame != run.frames.end())
     run.notes.push_back(
-        fmt::format("{} has no times, and the run's frames are not all 1/{} s apart: frame {} is at {:.6g} "
-                    "s. csv and usda "
-                    "have the times",
-                    format.name, run.frames_per_second, found->number, found->time));
+        fmt::format("{} has no times, but the run's frames are not all 1/{} s apart: frame {} is at {:.6g} "
+                    "s. csv and usda have the times",
+                    format.name, run.frames_per_second, frame->number, frame->time));
 }
 
-// Said of positions that are not the run's own.
+// Notes that positions are relative to an origin, if the format needs one for this run.
 void note_origin(ExportedRun& run, const Format& format) {
   if (format.states_origin && !run.origin.isZero(0))
     run.notes.push_back(fmt::format(
-        "{} holds single precision, which would round this run's edges: positions are relative to "
-        "({}, {}, {}) m, as a comment in the OBJ file says. obj and ply have the run's own",
+        "{} has single precision, which would round this run's edges, so positions are relative to ({}, {}, "
+        "{}) m, as a comment in the OBJ file says. obj and ply have the run's own positions",
         format.name, run.origin.x(), run.origin.y(), run.origin.z()));
 }
 
@@ -69,8 +69,8 @@ std::span<const Format* const> formats() {
 }
 
 const Format* find_format(std::string_view name) {
-  const auto found = std::ranges::find(all, name, &Format::name);
-  return found == all.end() ? nullptr : *found;
+  const auto format = std::ranges::find(all, name, &Format::name);
+  return format == all.end() ? nullptr : *format;
 }
 
 std::string description_of(const ExportedRun& run) {

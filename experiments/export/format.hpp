@@ -1,5 +1,5 @@
-// The formats of other programs in which a run can leave. Each is one file here and one row in format.cpp,
-// and nothing else knows its name.
+// The formats of other programs to which a run can be exported. A format is one file here and one row in
+// format.cpp, and nothing else knows its name.
 #pragma once
 
 #include <atomic>
@@ -16,20 +16,20 @@
 
 namespace bendlab {
 
-/// What a file that --to names can hold.
+/// How much of a run a single file can hold, if --to names a file.
 enum class InOneFile { nothing, a_frame, everything };
 
 struct Format {
-  std::string_view name;     ///< of --format; the extension of its files
-  std::string_view summary;  ///< a line: what it writes
+  std::string_view name;     ///< for --format; also the extension of its files
+  std::string_view summary;  ///< one line about the files that it writes
   InOneFile in_one_file = InOneFile::nothing;
-  bool has_times = false;      ///< else its frames are taken to be evenly spaced
+  bool has_times = false;      ///< else other programs take frames to be evenly spaced
   bool states_origin = false;  ///< positions of a run far from 0 are relative to ExportedRun::origin
   /// Throws RunFileError, ExportStopped.
   void (*write)(const ExportedRun& run, Output& output) = nullptr;
 };
 
-/// All, in the order of their table.
+/// All formats, in the order of the table in format.cpp.
 std::span<const Format* const> formats();
 
 /// The format of that name, or nullptr.
@@ -38,11 +38,12 @@ const Format* find_format(std::string_view name);
 /// A line for comments in files: program, run, experiment, units.
 std::string description_of(const ExportedRun& run);
 
-/// A surface of a run as OBJ text, with texture coordinates if it has some. Positions have the fewest digits
-/// that read back to the same numbers: of a float, where the run stored floats.
+/// A surface of a run as OBJ text, with its texture coordinates, if any. Positions have the fewest digits
+/// that read back to the same numbers (floats, if the run stored floats).
 class ObjText {
  public:
-  /// Run and surface outlive it. Positions are relative to `origin`, which the text states unless it is 0.
+  /// `run` and `surface` must outlive this object. Positions are relative to `origin`, which the text states
+  /// unless it is 0.
   ObjText(const ExportedRun& run, const Surface& surface, const Vector3& origin = Vector3::Zero());
 
   void write(OutputFile& file, const ExportedFrame& frame) const;
@@ -58,8 +59,8 @@ struct ExportOptions {
   std::string frames;                       ///< see open_for_export()
   std::optional<UpAxis> up;                 ///< see open_for_export()
   std::filesystem::path to;                 ///< empty: export/<format> beside the run file
-  bool force = false;                       ///< replace what is there
-  const std::atomic<bool>* stop = nullptr;  ///< null: nobody stops it
+  bool force = false;                       ///< replace existing files
+  const std::atomic<bool>* stop = nullptr;  ///< true: stop; null: cannot be stopped
 };
 
 struct Exported {
@@ -68,11 +69,11 @@ struct Exported {
   std::vector<std::string> surfaces;  ///< their names
   std::size_t files = 0;
   std::uint64_t bytes = 0;
-  std::vector<std::string> notes;  ///< what is left out, and why; times that are lost
+  std::vector<std::string> notes;  ///< parts that are left out, with the reason; lost times
 };
 
-/// Writes a run's frames in a format: every file appears whole, at the end. Throws UsageError for options
-/// that do not go together, or something that is there already; RunFileError; ExportStopped.
+/// Writes a run's frames in a format. Every file appears whole, at the end. Throws UsageError for options
+/// that do not go together, or if a file exists already; RunFileError; ExportStopped.
 Exported export_run(const RunRecord& record, const Format& format, const ExportOptions& options);
 
 }  // namespace bendlab

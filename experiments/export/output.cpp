@@ -26,7 +26,7 @@ void require_going_on(const std::atomic<bool>* stop) {
   if (stop && stop->load(std::memory_order_relaxed)) throw ExportStopped{};
 }
 
-// "cloth" of "cloth.0012.obj", if that is a frame with this extension; else empty.
+// "cloth" of "cloth.0012.obj"; empty if the name is not that of a frame with this extension.
 std::string sequence_of(const std::string& name, const std::string& dotted_extension) {
   if (!name.ends_with(dotted_extension)) return "";
   const std::string stem = name.substr(0, name.size() - dotted_extension.size());
@@ -79,14 +79,14 @@ Output::Output(const Options& options) : options_(options) {
   if (is_file_ && !options.force && fs::exists(fs::symlink_status(to)))
     throw UsageError(fmt::format("--to {}: is there already; --force replaces it", options.to.string()));
   if (!is_file_ && !options.force && fs::is_directory(to) && !fs::is_empty(to, error))
-    throw UsageError(fmt::format(
-        "--to {}: is a folder that is not empty; --force replaces the files of an earlier export in it and "
-        "leaves others alone, or name another folder",
-        options.to.string()));
+    throw UsageError(
+        fmt::format("--to {}: is a folder that is not empty; --force replaces the files of an earlier export "
+                    "in it and keeps all other files, or name another folder",
+                    options.to.string()));
   make_folder();
 }
 
-// The folder, those above it, and one in it for the drafts.
+// Makes the folder, the folders above it, and a folder in it for the drafts.
 void Output::make_folder() {
   for (fs::path above = folder_; !fs::exists(above) && above.has_relative_path(); above = above.parent_path())
     made_folders_.push_back(above);
@@ -102,7 +102,7 @@ Output::~Output() {
   std::error_code ignored;
   fs::remove_all(drafts_, ignored);
   if (published_) return;
-  for (const fs::path& folder : made_folders_) fs::remove(folder, ignored);  // if it is empty
+  for (const fs::path& folder : made_folders_) fs::remove(folder, ignored);  // fails if it is not empty
 }
 
 fs::path Output::draft(const std::string& name) {

@@ -1,5 +1,5 @@
-// Where an export goes. Files are written as drafts, in a folder of their own, and get their names at the
-// end: each appears whole, and none does if the export fails or is stopped.
+// Writes the files of an export, first as drafts, in a folder of their own. Files get their names at the end.
+// So every file appears whole, and no file appears if the export fails or is stopped.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace bendlab {
 
 struct Surface;
 
-/// Thrown when somebody asked to stop: the drafts are gone.
+/// Thrown when the export is to stop. The drafts are removed.
 struct ExportStopped {};
 
 /// A file that is written from front to back. Every function throws RunFileError if the disk fails.
@@ -40,14 +40,14 @@ class OutputFile {
     fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
     flush_if_full();
   }
-  /// A number as it lies in memory.
+  /// Writes a number as it lies in memory.
   template <class Number>
   void write_number(Number number) {
     static_assert(std::endian::native == std::endian::little, "the binary formats are little endian");
     write({reinterpret_cast<const char*>(&number), sizeof number});
   }
 
-  /// To be called when all is written. Returns the number of bytes.
+  /// To be called at the end. Returns the number of bytes.
   std::uint64_t finish();
 
  private:
@@ -67,23 +67,23 @@ class OutputFile {
 class Output {
  public:
   struct Options {
-    std::filesystem::path to;                 ///< a folder, or the file whose extension is the format's
+    std::filesystem::path to;                 ///< a folder, or a file with the extension of the format
     std::string_view extension;               ///< of the format, without its dot
-    bool force = false;                       ///< replace what is there
-    const std::atomic<bool>* stop = nullptr;  ///< null: nobody stops it
+    bool force = false;                       ///< replace existing files
+    const std::atomic<bool>* stop = nullptr;  ///< true: stop; null: cannot be stopped
   };
 
-  /// Throws UsageError if there is something that `force` would replace, RunFileError if the folder cannot be
+  /// Throws UsageError if a file exists that only `force` would replace, RunFileError if the folder cannot be
   /// made.
   explicit Output(const Options& options);
-  ~Output();  ///< removes what publish() did not name
+  ~Output();  ///< removes drafts that publish() did not name
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// Whether `to` names a file: the name of the cloth's is known then.
+  /// Whether `to` names a file. It is the file of the cloth then.
   bool is_file() const { return is_file_; }
 
-  /// Writes a file of this name by `write(OutputFile&)`. Throws RunFileError, ExportStopped.
+  /// Writes the file `name` by calling `write(OutputFile&)`. Throws RunFileError, ExportStopped.
   template <class Write>
   void file(const std::string& name, const Write& write) {
     OutputFile file(draft(name), folder_ / name, options_.stop);
@@ -94,11 +94,12 @@ class Output {
   /// The name of a surface's file, without extension.
   std::string stem_of(const Surface& surface) const;
 
-  /// The same of one of its frames: "cloth.0012". In a file that `to` names there is one frame only.
+  /// The name of the file of one frame: "cloth.0012". If `to` names a file, there is only one frame, and no
+  /// number.
   std::string stem_of(const Surface& surface, std::int64_t frame);
 
-  /// Gives all files their names; with `force` also removes the frames of an earlier export that this one
-  /// does not have. Throws RunFileError; UsageError if a file of that name came in between.
+  /// Gives all files their names. With `force`, also removes frames of an earlier export that this export
+  /// does not have. Throws RunFileError; UsageError if another program made a file of that name meanwhile.
   void publish();
 
   const std::filesystem::path& to() const { return options_.to; }
@@ -114,7 +115,7 @@ class Output {
   bool is_file_ = false, published_ = false;
   std::filesystem::path folder_, drafts_;
   std::vector<std::filesystem::path> made_folders_;  // the deepest first
-  std::set<std::string> names_, sequences_;          // of files; the stems of those that are numbered
+  std::set<std::string> names_, sequences_;          // of files; the stems of numbered files
   std::uint64_t bytes_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// PC2: a point cache with the positions of all frames, beside the OBJ of the first one, whose vertices it
-// moves.
+// PC2: a point cache with the positions of all frames. It moves the vertices of the OBJ file of the first
+// frame, which lies beside it.
 //
 //   char[12]   "POINTCACHE2\0"
 //   int32      version, 1
@@ -9,8 +9,8 @@
 //   int32      number of samples
 //   float      x, y, z of every point of every sample
 //
-// All little endian. Where floats would round edges, positions in both files are relative to the run's
-// origin, which the OBJ file states.
+// All little endian. If floats would round edges, positions in both files are relative to the run's origin,
+// which the OBJ file states.
 #include "experiments/export/format.hpp"
 
 namespace bendlab {
@@ -47,7 +47,7 @@ void write_pc2(const ExportedRun& run, Output& output) {
 namespace format {
 extern const Format pc2{
     .name = "pc2",
-    .summary = "a point cache of all frames, cloth.pc2, and the OBJ file of the first one, which it moves",
+    .summary = "a point cache of all frames, cloth.pc2, and the OBJ file of the first frame, which it moves",
     .in_one_file = InOneFile::everything,
     .states_origin = true,
     .write = write_pc2,

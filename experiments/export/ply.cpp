@@ -1,6 +1,6 @@
-// PLY: a binary file per frame, little endian, positions as floats, or as doubles where floats would round
-// edges. A vertex has one pair of texture coordinates (s, t); a surface with seams, where a vertex has
-// several, has none.
+// PLY: a binary file per frame, little endian. Positions are floats, or doubles if floats would round edges.
+// A vertex has one pair of texture coordinates (s, t). A surface with seams, where a vertex has several
+// pairs, is written without texture coordinates.
 #include <optional>
 
 #include "experiments/export/format.hpp"
@@ -8,17 +8,17 @@
 namespace bendlab {
 namespace {
 
-// The row of `texture` that each vertex has; nothing where there is no texture, or a seam.
+// #V: the row of `texture` for each vertex. Nothing if the surface has no texture, or a seam.
 std::optional<std::vector<int>> texture_of_vertices(const Surface& surface) {
   if (surface.texture.rows() == 0) return std::nullopt;
   std::vector<int> rows(static_cast<std::size_t>(surface.positions.rows()), -1);
   for (Eigen::Index corner = 0; corner < surface.triangles.size(); ++corner) {
     int& row = rows[static_cast<std::size_t>(surface.triangles.data()[corner])];
-    const int here = surface.texture_corners.data()[corner];
-    if (row >= 0 && row != here) return std::nullopt;
-    row = here;
+    const int texture_row = surface.texture_corners.data()[corner];
+    if (row >= 0 && row != texture_row) return std::nullopt;
+    row = texture_row;
   }
-  for (int& row : rows) row = std::max(row, 0);  // of a vertex without triangles
+  for (int& row : rows) row = std::max(row, 0);  // a vertex without triangles gets row 0
   return rows;
 }
 

@@ -1,6 +1,6 @@
 // USD as text: one file with a mesh for the cloth and for each obstacle, and their samples over time. Time
-// codes are frames of the run. Points are floats: those of a run far from the origin are relative to a point
-// near it, to which the prim "run" is translated.
+// codes are frames of the run. Points are floats. If the run is far from the origin, its points are relative
+// to a point near it, and the prim "run" is translated to that point.
 //
 // The format: the reference of Pixar's Sdf text files, and the schemas UsdGeomMesh, UsdGeomXformable.
 #include <utility>

@@ -1,4 +1,5 @@
-// XDMF: a text with which ParaView before 5.12 reads the run file itself. It is of use only with that file.
+// XDMF: a text file with which ParaView before 5.12 reads the run file itself. It is useless without the run
+// file.
 #include "experiments/export/format.hpp"
 
 namespace bendlab {
@@ -19,7 +20,8 @@ void write_xdmf(const ExportedRun& run, Output& output) {
 namespace format {
 extern const Format xdmf{
     .name = "xdmf",
-    .summary = "a text with which ParaView before 5.12 reads the run file itself, as it is, never turned",
+    .summary =
+        "a text file with which ParaView before 5.12 reads the run file itself, as it is, never turned",
     .in_one_file = InOneFile::everything,
     .has_times = true,
     .write = write_xdmf,

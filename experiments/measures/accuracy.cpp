@@ -22,7 +22,8 @@ Vector3 middle_of_pins(const BuiltScene& scene) {
   return sum / static_cast<double>(scene.pins.seeds.size());
 }
 
-// With over_time it has all frames, and the energies of its own scene.
+// With over_time, the trajectory has all frames, and their energies in the scene of `config`; else the last
+// pose.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
   return over_time ? read_motion(file, build_scene(config.scene())) : read_last_pose(file);
 }
@@ -84,12 +85,12 @@ class Errors final : public Measurement {
             .energy_scale = over_time_ ? energy_scale(scene_) : 0};
   }
 
-  // Nothing if there is none to compare with; the findings say why.
+  // Nothing if there is no reference to compare with; the findings say why.
   std::optional<Trajectory> trajectory_of_reference(const RunEnd& end, const Positions& last, Against against,
                                                     bool coarser, Findings& findings) const {
-    const auto tell = [&](std::string_view what) {
+    const auto add_message = [&](std::string_view text) {
       findings.messages.push_back(
-          fmt::format("/accuracy/{}{}: {}", name_of(against), coarser ? "_coarser" : "", what));
+          fmt::format("/accuracy/{}{}: {}", name_of(against), coarser ? "_coarser" : "", text));
     };
     try {
       std::optional<RunConfig> config = reference_of(config_, against, coarser);
@@ -99,28 +100,29 @@ class Errors final : public Measurement {
       const StartingPose start{scene_.rest, last};
       const OtherRun other = end.other_run(*config, starts_here ? &start : nullptr);
       findings.stopped |= other.status == RunStatus::interrupted;
-      if (other.status == RunStatus::diverged) tell("the reference " + other.message);
-      if (other.status == RunStatus::implausible) tell("the reference is " + other.message);
+      if (other.status == RunStatus::diverged) add_message("the reference " + other.message);
+      if (other.status == RunStatus::implausible) add_message("the reference is " + other.message);
       if (!is_whole(other.status)) return std::nullopt;
       if (other.summary.contains("unbalanced") && !other.summary.contains("settled_at")) {
-        tell(fmt::format("the reference found no equilibrium: {:.2g} of its loads are not balanced",
-                         other.summary.at("unbalanced")));
+        add_message(fmt::format(
+            "the reference found no equilibrium: its unbalanced forces are {:.2g} times its loads",
+            other.summary.at("unbalanced")));
         const char* which = coarser ? "coarser_unbalanced" : "unbalanced";
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
             other.summary.at("unbalanced");
       }
       if (against == Against::physical && !over_time_)  // a moving strip shows no stiffness
         if (const std::optional<std::string> doubt = doubtful_reference(*config, other.file)) {
-          tell("its run cannot serve as a reference: " + *doubt);
+          add_message("its run cannot serve as a reference: " + *doubt);
           return std::nullopt;
         }
       return trajectory_of(*config, other.file, over_time_);
-    } catch (const RunFileError&) {  // of the disk, or the memory: a later try may do better
+    } catch (const RunFileError&) {  // an error of the disk or the memory: a later try may succeed
       throw;
     } catch (const std::bad_alloc&) {
       throw;
     } catch (const std::exception& error) {
-      tell(error.what());
+      add_message(error.what());
       return std::nullopt;
     }
   }
@@ -129,7 +131,7 @@ class Errors final : public Measurement {
   const BuiltScene& scene_;
   const Accuracy& settings_;
   bool over_time_;
-  std::vector<double> time_, kinetic_energy_;  // of each recorded frame, with over_time only
+  std::vector<double> time_, kinetic_energy_;  // of every recorded frame; only with over_time
   std::vector<Positions> poses_;               // the same
 };
 
@@ -139,27 +141,28 @@ std::vector<Quantity> accuracy_quantities() {
     const std::string prefix = fmt::format("error_{}_", name_of(against));
     const auto add = [&](const std::string& name, const std::string& meaning) {
       all.push_back({prefix + name, "1", meaning});
-      all.push_back(
-          {prefix + name + "_worst", "1", "over time: in the worst frame; without _worst it is the mean"});
+      all.push_back({prefix + name + "_worst", "1",
+                     "over time: the error of the worst frame; without _worst it is the mean"});
     };
     add("rms",
-        "root mean square distance of the points from those of the reference, weighted by area, in sizes of "
-        "the mesh");
+        "root mean square distance of the points from the points of the reference, weighted by area, in "
+        "sizes of the mesh");
     add("largest", "the largest such distance, in sizes");
     add("hausdorff", "Hausdorff distance between the surfaces, in sizes");
-    add("strain", against == Against::solver
-                      ? "root mean square difference of the Green strain from the reference's"
-                      : "root mean square of the Green strain itself, because the stated cloth has none");
+    add("strain",
+        against == Against::solver
+            ? "root mean square difference of the Green strain from the reference's"
+            : "root mean square of the Green strain itself, because the stated cloth has no strain");
     add("energy",
-        "over time: difference in what the total energy gained since the start, as a share of the scene's "
-        "energy scale; k has no elastic energy");
+        "over time: difference of the gains of total energy since the start, as a share of the scene's "
+        "energy scale; constraints with k have no elastic energy");
     all.push_back({prefix + "frames", "1", "over time: number of frames compared"});
     all.push_back({prefix + "reference_gap", "1",
-                   "rms distance of the coarser reference from this one: errors that are not much larger are "
-                   "not known"});
+                   "rms distance between the coarser reference and this reference: errors that are not much "
+                   "larger are unreliable"});
     all.push_back({prefix + "unbalanced", "1",
-                   "if the reference found no equilibrium: the share of its loads that is not balanced"});
-    all.push_back({prefix + "coarser_unbalanced", "1", "the same of the coarser reference"});
+                   "if the reference found no equilibrium: its unbalanced forces over its loads"});
+    all.push_back({prefix + "coarser_unbalanced", "1", "the same for the coarser reference"});
   }
   return all;
 }
@@ -169,7 +172,8 @@ std::vector<Quantity> accuracy_quantities() {
 namespace measure {
 extern const Measure accuracy{
     .name = "accuracy",
-    .summary = "errors against references, which are other runs: of the solver, and against the stated cloth",
+    .summary =
+        "errors against other runs (references): errors of the solver, and errors against the stated cloth",
     .cost = "the references, computed once for all runs that share them; over time, memory for every pose",
     .applies = [](const RunConfig& config,
                   const BuiltScene&) { return config.settings().accuracy.compares(); },

@@ -8,20 +8,20 @@ namespace bendlab {
 namespace {
 
 // Coordinate along `down` of the highest pin; without pins, of the lowest vertex at the start.
-double highest_level(const BuiltScene& scene) {
+double highest_pin(const BuiltScene& scene) {
   const Positions& start = scene.input.positions;
-  double highest = std::numeric_limits<double>::infinity();  // along `down`: the smallest
+  double highest = std::numeric_limits<double>::infinity();  // the smallest coordinate along `down`
   for (const int seed : scene.pins.seeds) highest = std::min(highest, start.row(seed).dot(scene.down));
   return scene.pins.seeds.empty() ? (start * scene.down).maxCoeff() : highest;
 }
 
 class Drop final : public Measurement {
  public:
-  Drop(const RunConfig&, const BuiltScene& scene) : down_(scene.down), level_(highest_level(scene)) {}
+  Drop(const RunConfig&, const BuiltScene& scene) : down_(scene.down), highest_pin_(highest_pin(scene)) {}
 
   void complete(const MeasuredFrame& frame, std::span<double> values,
                 std::span<std::vector<float>>) override {
-    values[0] = drop_below(level_, frame.positions(), down_);
+    values[0] = drop_below(highest_pin_, frame.positions(), down_);
   }
 
   void finish(const RunEnd& end, Findings& findings) override {
@@ -32,7 +32,7 @@ class Drop final : public Measurement {
 
  private:
   Vector3 down_;
-  double level_;  // m
+  double highest_pin_;  // m, along `down`
 };
 
 }  // namespace
@@ -50,7 +50,8 @@ extern const Measure drop{
            "the start)"}};
     },
     .gives = []() -> std::vector<Quantity> {
-      return {{"drop", "m", "median over the last second; with equilibrium, of its last step"},
+      return {{"drop", "m",
+               "median over the last second; with the method equilibrium, the value of its last step"},
               {"drop_last", "m", "of the last frame"}};
     },
     .begin = begun<Drop>};

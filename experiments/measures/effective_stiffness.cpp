@@ -15,7 +15,7 @@ namespace {
 
 constexpr double soft = 0.5;  // below this share a run gets a warning
 
-// 23 becomes 30, 1240 becomes 2000: the estimate has no more digits.
+// 23 becomes 30, 1240 becomes 2000: the estimate is not more precise.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)));
   return value <= 10 ? std::ceil(value) : unit * std::ceil(value / unit);
@@ -34,7 +34,7 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
   const auto add = [&](const std::string& what, const std::optional<double>& share) {
     if (!share) return;
     summary["effective_" + what + "_stiffness"] = *share;
-    constexpr double least = 3e-4;  // below it the share itself is too uncertain
+    constexpr double least = 3e-4;  // below this the share itself is too uncertain
     if (*share < soft)
       summary["substeps_for_90_percent_" + what] = substeps_for_90_percent(std::max(*share, least), substeps);
   };
@@ -50,19 +50,18 @@ std::string share_text(double share) {
 
 namespace {
 
-// What a run has of one stated stiffness, and what helps.
+// The share of a stated stiffness that a run has, and a remedy, as text.
 std::string soft_text(const std::string& what, double share, double substeps) {
   if (share < least_known_share)
     return fmt::format(
-        "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states: "
-        "the estimate, {:.2g} %, is below its range, and a cloth that shakes may have more. "
-        "About {:.0f} substeps or more would give it 90 %{}",
+        "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states: the "
+        "estimate, {:.2g} %, is below its reliable range, and a cloth that shakes may have more. About "
+        "{:.0f} substeps or more would give it 90 %{}",
         100 * least_known_share, what, 100 * share, substeps,
         what == "bending" ? "; 'bendlab stiffness' measures a strip" : "");
   return fmt::format(
       "the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} substeps would give "
-      "it "
-      "90 %",
+      "it 90 %",
       100 * share, what, substeps);
 }
 
@@ -89,15 +88,15 @@ std::optional<SoftSolver> soft_solver_warning(const std::map<std::string, double
 
 namespace {
 
-// Looks at a simulation in the last second of a run, every half second and at its end. The result is the mean
-// share over all looks, weighted by energy.
+// Measures the share in the last second of a run, every half second and at its end. The result is the mean
+// share over these times, weighted by energy.
 class Meter final : public Measurement {
  public:
   Meter(const RunConfig& config, const BuiltScene& scene)
       : next_look_(config.scene().duration - 1), substeps_(scene.input.settings.substeps) {}
 
   void step(const Simulation& simulation, const Moment& moment) override {
-    constexpr double interval = 0.5;  // s; a look takes 0.2 to 0.8 of a step of ten iterations (64² cells)
+    constexpr double interval = 0.5;  // s; measuring takes 0.2 to 0.8 of a step of ten iterations (64² cells)
     if (moment.is_start || (!moment.is_last && simulation.time() < next_look_)) return;
     next_look_ = simulation.time() + interval;
     if (const std::optional<EffectiveStiffness> now = simulation.effective_stiffness()) sum_ += *now;
@@ -120,8 +119,9 @@ class Meter final : public Measurement {
 namespace measure {
 extern const Measure effective_stiffness{
     .name = "effective_stiffness",
-    .summary = "how much of the stiffness that the config states the solver gives the cloth",
-    .cost = "two or three looks in the last second: less than 1 % of 4 s with 1 substep × 10 iterations",
+    .summary = "the share of the stated stiffness that the solver gives the cloth",
+    .cost =
+        "two or three times in the last second: less than 1 % of a run of 4 s with 1 substep × 10 iterations",
     .applies = always,
     .gives = []() -> std::vector<Quantity> {
       return {{"effective_bending_stiffness", "1",
@@ -129,7 +129,8 @@ extern const Measure effective_stiffness{
                "last second"},
               {"effective_membrane_stiffness", "1", "the same for the membrane"},
               {"substeps_for_90_percent_bending", "1",
-               "if that is below 0.5: about how many substeps, each of as many iterations, would give 0.9"},
+               "if that share is below 0.5: about how many substeps, with as many iterations per substep, "
+               "would give 0.9"},
               {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
     },
     .begin = begun<Meter>};

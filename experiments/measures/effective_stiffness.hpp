@@ -1,4 +1,4 @@
-// How much of the stated stiffness the solver gives a run: the numbers of its summary, and the warning.
+// The share of the stated stiffness that the solver gives a run: the metrics of its summary, and the warning.
 #pragma once
 
 #include <map>
@@ -9,19 +9,19 @@
 
 namespace bendlab {
 
-/// Numbers of the summary, those that have a meaning in this run; effective_stiffness.cpp lists them.
+/// Metrics of the summary that have a meaning in this run; effective_stiffness.cpp lists them.
 std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffness& stiffness, int substeps);
 
 /// About how many substeps give 90 % if `substeps` give the share `share`, in (0, 1): 1 / share - 1 falls as
-/// a power of the substeps. Strips of every model were measured (configs/stiffness/effective.json); this
-/// uses a small exponent of those found.
+/// a power of the substeps. The exponent was measured with strips of every model
+/// (configs/stiffness/effective.json). This function uses a small exponent of the measured range.
 double substeps_for_90_percent(double share, int substeps);
 
-/// The least share that the estimate knows: below 0.01 strips had up to twice what it said, and for a cloth
-/// that shakes it says 0 whatever a strip of it measures.
+/// The smallest share for which the estimate is reliable. Below 0.01, strips had up to twice the estimated
+/// share. For a cloth that shakes, the estimate is 0, whatever a strip of that cloth measures.
 inline constexpr double least_known_share = 0.01;
 
-/// "48 %", or "< 1 %" below what the estimate knows.
+/// "48 %", or "< 1 %" below the smallest reliable share.
 std::string share_text(double share);
 
 struct SoftSolver {

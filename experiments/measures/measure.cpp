@@ -28,18 +28,18 @@ constexpr std::array listed = {&measure::motion,    &measure::stretch,   &measur
                                &measure::accuracy};
 
 std::size_t index_of(std::span<const Column> columns, std::string_view name) {
-  const auto found = std::ranges::find(columns, name, &Column::name);
-  if (found == columns.end())
-    throw std::logic_error("no measure of this run has the column " + std::string(name));
-  return static_cast<std::size_t>(found - columns.begin());
+  const auto column = std::ranges::find(columns, name, &Column::name);
+  if (column == columns.end())
+    throw std::logic_error("no measure of this run has the metric " + std::string(name));
+  return static_cast<std::size_t>(column - columns.begin());
 }
 
 const std::vector<Column>& facts() {
   static const std::vector<Column> rows = {
       {"size", "m", "diagonal of the box around the rest shape"},
       {"edge_length", "m", "mean length of an edge at rest"},
-      {"vertices", "1", "of the mesh"},
-      {"triangles", "1", "of the mesh"},
+      {"vertices", "1", "number of vertices of the mesh"},
+      {"triangles", "1", "number of triangles of the mesh"},
       {"springs", "1", "springs that resist bending"},
       {"bending_constraints", "1", "springs and other elements that resist bending"},
       {"springs_beyond_ring_1", "1", "springs between vertices that no edge joins"},
@@ -47,12 +47,13 @@ const std::vector<Column>& facts() {
       {"projections", "1", "how many constraints the solver projected"},
       {"substeps", "1", "how many substeps the solver made"},
       {"memory_bytes", "B",
-       "what the solver's arrays hold: points, constraints, multipliers, matrix and factor"},
+       "memory of the solver's arrays: points, constraints, multipliers, matrix and factor"},
       {"unbalanced", "1",
-       "forces that nothing balances at the end, over the loads; of methods that find an equilibrium"},
+       "unbalanced forces at the end, over the loads; only for methods that find an equilibrium"},
       {"membrane_softness", "1",
-       "how many times the stated compliance the membrane has, if the method softened it"},
-      {"settled_at", "s", "time at which the cloth was slower than /settled_speed, so that the run ended"}};
+       "compliance of the membrane over its stated compliance, if the method softened the membrane"},
+      {"settled_at", "s",
+       "time since which the cloth has been slower than /settled_speed, so that the run ended"}};
   return rows;
 }
 
@@ -61,7 +62,8 @@ Registry<Measure>& registry() {
   return all;
 }
 
-// A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
+// Throws if a metric's name is taken: a name has one meaning in a summary, in a frame, and on a triangle.
+// `rows`: the member of Measure that lists these metrics.
 void check_names(const Measure& measure, std::function<std::vector<Column>()> Measure::*rows) {
   std::set<std::string, std::less<>> taken = {"time"};  // of a frame
   for (const Column& fact : facts()) taken.insert(fact.name);
@@ -70,8 +72,8 @@ void check_names(const Measure& measure, std::function<std::vector<Column>()> Me
   for (const Column& row : (measure.*rows)())
     if (!taken.insert(row.name).second)
       throw std::invalid_argument(
-          fmt::format("the measure '{}' cannot be registered: there is a number '{}' already; choose another "
-                      "name for it (`bendlab measures` lists those there are)",
+          fmt::format("the measure '{}' cannot be registered: there is a metric '{}' already; choose another "
+                      "name for it (`bendlab measures` lists all names)",
                       measure.name, row.name));
 }
 
@@ -111,7 +113,7 @@ double FrameHistory::largest(std::string_view column) const {
 
 double FrameHistory::last_second_median(std::string_view column) const {
   if (!has_motion_) return last(column);
-  constexpr double rounding = 1e-9;  // s; a frame exactly one second before the end is not in it
+  constexpr double rounding = 1e-9;  // s; a frame exactly one second before the end is left out
   const auto first = std::ranges::upper_bound(times_, times_.back() - 1 + rounding);
   return median(column, static_cast<std::size_t>(first - times_.begin()));
 }

@@ -31,7 +31,7 @@ Json rows_json(const std::vector<Column>& rows) {
   return json;
 }
 
-// The measure that gives the number, or null.
+// The measure that gives the metric, or null.
 const Measure* measure_of(const std::string& metric) {
   for (const Measure* measure : measures()) {
     const std::vector<Quantity> all = measure->gives();
@@ -42,9 +42,9 @@ const Measure* measure_of(const std::string& metric) {
 
 std::vector<std::string> known_metrics() {
   std::vector<std::string> names;
-  for (const Column& number : numbers_of_scene()) names.push_back(number.name);
+  for (const Column& metric : numbers_of_scene()) names.push_back(metric.name);
   for (const Measure* measure : measures())
-    for (const Quantity& quantity : measure->gives()) names.push_back(quantity.name);
+    for (const Quantity& metric : measure->gives()) names.push_back(metric.name);
   return names;
 }
 
@@ -52,13 +52,13 @@ std::vector<std::string> known_metrics() {
 
 std::string measures_text() {
   const auto scene = numbers_of_scene();
-  std::string text = "scene and solver: what every run says of them\n" +
-                     rows_text("numbers of a run", {scene.begin(), scene.end()});
+  std::string text = "scene and solver: metrics that every run has\n" +
+                     rows_text("metrics of a run", {scene.begin(), scene.end()});
   for (const Measure* measure : measures())
-    text += fmt::format("\n{}: {}\n  a run has it {}; it costs {}\n{}{}{}", measure->name, measure->summary,
-                        when(*measure), measure->cost, rows_text("numbers of a run", measure->gives()),
-                        rows_text("numbers of every frame", measure->columns()),
-                        rows_text("numbers of every triangle in every frame", measure->fields()));
+    text += fmt::format("\n{}: {}\n  a run has it {}; cost: {}\n{}{}{}", measure->name, measure->summary,
+                        when(*measure), measure->cost, rows_text("metrics of a run", measure->gives()),
+                        rows_text("metrics of every frame", measure->columns()),
+                        rows_text("metrics of every triangle in every frame", measure->fields()));
   return text;
 }
 

@@ -1,4 +1,4 @@
-// All measures and their numbers: what `bendlab measures` prints, and what `expect` may ask for.
+// All measures and their metrics, for `bendlab measures`, and to check the metrics that `expect` names.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,12 @@
 
 namespace bendlab {
 
-/// Every measure: name, what it finds out, when a run has it, what it costs, its numbers with unit and
-/// meaning.
+/// Every measure: name, summary, when a run has it, cost, and its metrics with unit and meaning.
 std::string measures_text();
 Json measures_json();
 
-/// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run
-/// of the experiment has. Nothing if some run may have it.
+/// The problem with the metric of an expectation, before any run: no measure gives the metric, or no run of
+/// the experiment has the measure. Nothing if a run may have the metric.
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric);
 
 /// Throws ConfigError with the problems of all expectations.

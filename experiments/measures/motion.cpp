@@ -35,11 +35,12 @@ extern const Measure motion{
     .applies = always,
     .columns = []() -> std::vector<Column> {
       return {{"kinetic_energy", "J", "of all vertices as point masses"},
-              {"linear_momentum", "kg m/s", "its magnitude"},
-              {"angular_momentum", "kg m²/s", "its magnitude, about the centre of mass"}};
+              {"linear_momentum", "kg m/s", "magnitude of the linear momentum"},
+              {"angular_momentum", "kg m²/s", "magnitude of the angular momentum about the centre of mass"}};
     },
     .gives = []() -> std::vector<Quantity> {
-      return {{"kinetic_energy", "J", "median over the last second; with equilibrium, of its last step"},
+      return {{"kinetic_energy", "J",
+               "median over the last second; with the method equilibrium, the value of its last step"},
               {"kinetic_energy_last", "J", "of the last frame"}};
     },
     .begin = begun<Motions>};

@@ -23,12 +23,13 @@ constexpr Statistic statistics[] = {{"minimum", &MeasureSummary::minimum},
 
 const std::vector<Column> counts = {
     {"degenerate_triangles", "1", "needles, caps, collinear and non-finite triangles"},
-    {"needles", "1", "longest edge at least needle_ratio times the shortest"},
-    {"caps", "1", "an angle of at least cap_angle"},
-    {"collinear", "1", "three points exactly on a line"},
-    {"small_angles", "1", "an angle below small_angle"}};
+    {"needles", "1", "triangles whose longest edge is at least needle_ratio times the shortest"},
+    {"caps", "1", "triangles with an angle of at least cap_angle"},
+    {"collinear", "1", "triangles with three points exactly on a line"},
+    {"small_angles", "1", "triangles with an angle below small_angle"}};
 
-// Calls visit(measure of quality, its index, statistic, name) for every column of them.
+// Calls visit(quality measure, its index, statistic, name) for every metric: a statistic of a quality
+// measure.
 template <class Visit>
 void for_quality_columns(Visit visit) {
   for (std::size_t m = 0; m < quality_measures().size(); ++m)
@@ -40,9 +41,9 @@ void for_quality_columns(Visit visit) {
 std::vector<Column> columns() {
   std::vector<Column> all = counts;
   for_quality_columns(
-      [&](const QualityMeasure& each, std::size_t, const Statistic& statistic, const std::string& name) {
-        all.push_back({name, std::string(each.unit),
-                       fmt::format("{} over triangles: {}", statistic.name, each.meaning)});
+      [&](const QualityMeasure& kind, std::size_t, const Statistic& statistic, const std::string& name) {
+        all.push_back({name, std::string(kind.unit),
+                       fmt::format("{} over triangles: {}", statistic.name, kind.meaning)});
       });
   return all;
 }
@@ -73,15 +74,15 @@ class Quality final : public Measurement {
     findings.summary["rest_degenerate_triangles"] = rest.degenerate_triangles;
     std::set<std::string> infinite;
     for_quality_columns(
-        [&](const QualityMeasure& each, std::size_t m, const Statistic& statistic, const std::string& name) {
+        [&](const QualityMeasure& kind, std::size_t m, const Statistic& statistic, const std::string& name) {
           if (const double value = rest.measures[m].*statistic.value; std::isfinite(value))
             findings.summary["rest_" + name] = value;
           else
-            infinite.insert(fmt::format("rest_{}", each.name));
+            infinite.insert(fmt::format("rest_{}", kind.name));
         });
     if (!infinite.empty())
       findings.messages.push_back(
-          fmt::format("{}: infinite for triangles without area, and left out of the summary where they are",
+          fmt::format("{}: infinite for triangles without area; the summary leaves out infinite metrics",
                       fmt::join(infinite, ", ")));
   }
 
@@ -104,14 +105,14 @@ extern const Measure quality{
           std::vector<Quantity> all = {
               {"degenerate_triangles", "1", "of the last frame: " + counts[0].meaning},
               {"degenerate_triangles_median", "1",
-               "over the last second; with equilibrium, of its last step"},
-              {"degenerate_triangles_worst", "1", "of all frames"},
+               "median over the last second; with the method equilibrium, the value of its last step"},
+              {"degenerate_triangles_worst", "1", "largest of all frames"},
               {"rest_degenerate_triangles", "1", "of the rest shape"}};
-          for_quality_columns([&](const QualityMeasure& each, std::size_t, const Statistic& statistic,
+          for_quality_columns([&](const QualityMeasure& kind, std::size_t, const Statistic& statistic,
                                   const std::string& name) {
             all.push_back(
-                {"rest_" + name, std::string(each.unit),
-                 fmt::format("of the rest shape, {} over triangles: {}", statistic.name, each.meaning)});
+                {"rest_" + name, std::string(kind.unit),
+                 fmt::format("of the rest shape, {} over triangles: {}", statistic.name, kind.meaning)});
           });
           return all;
         },

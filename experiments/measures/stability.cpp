@@ -17,8 +17,8 @@ namespace bendlab {
 namespace {
 
 constexpr double recovered = 0.01;        // of the size
-constexpr double energy_rounding = 1e-6;  // of the scale: rounding in float of the difference of two sums
-constexpr double spin_rounding = 1e-6;    // of mass, size and speed: rounding in float of a sum that is zero
+constexpr double energy_rounding = 1e-6;  // of the energy scale: float rounding of the difference of two sums
+constexpr double spin_rounding = 1e-6;    // of mass × size × speed: float rounding of a sum that is zero
 constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
@@ -32,7 +32,7 @@ double farthest_from(const Eigen::RowVector3d& centre, const Positions& position
   return std::sqrt((positions.rowwise() - centre).rowwise().squaredNorm().maxCoeff());
 }
 
-// Fold angle in degrees, 0 where the two triangles lie flat; NaN where one has no normal.
+// Fold angle in degrees; 0 if the two triangles lie flat, NaN if a triangle has no normal.
 double fold(const Hinge& hinge, const Positions& positions) {
   const auto at = [&](int v) -> Vector3 { return positions.row(v).transpose(); };
   const Vector3 a = at(hinge.edge[0]), b = at(hinge.edge[1]);
@@ -161,22 +161,25 @@ std::vector<Quantity> stability_quantities() {
       {"stability_reach_end", "1", "the same at the end"},
       {"stability_rest_distance", "1",
        "root mean square distance from the rest shape at the end, after rigid alignment, in sizes"},
-      {"stability_least_rest_distance", "1", "the smallest such distance in the run, of ten looks a second"},
+      {"stability_least_rest_distance", "1",
+       "the smallest such distance in the run, checked ten times a second"},
       {"stability_recovered_at", "s",
-       "time since which that distance has been below 0.01 (to 0.1 s); absent if it is larger at the end"},
+       "time since which the distance from the rest shape has been below 0.01 (to 0.1 s); absent if it is "
+       "larger at the end"},
       {"stability_creep", "1",
        "root mean square displacement of the vertices in the second half of the run, in sizes"},
       {"stability_momentum_drift", "m/s",
        "largest difference between the velocity of the centre of mass and v0 + g t; only for a cloth that "
        "keeps momentum: without pins, and with no effects but gravity and damping"},
       {"stability_rounding_speed", "m/s",
-       "for comparison: ε d / h, the speed of one rounding of a coordinate in a substep h, at the largest "
+       "for comparison: ε d / h, the speed that rounding a coordinate causes in a substep h, at the largest "
        "distance d of a vertex from the centre of the rest box"},
       {"stability_spin_kept", "1",
-       "angular momentum at the end divided by that at the start; only for such a cloth that spins"},
+       "angular momentum at the end divided by its value at the start; only for a spinning cloth that keeps "
+       "momentum"},
       {"stability_energy_scale", "J",
        "total energy at the start plus weight times size. Constraints with a compliance have elastic energy, "
-       "those with k have none"},
+       "constraints with k do not"},
       {"stability_energy_gain", "1",
        "largest rise of the total energy above its value at the start, as a share of energy_scale"},
       {"stability_energy_rises", "1",
@@ -194,7 +197,7 @@ extern const Measure stability{
     .summary =
         "how far the cloth went, whether it kept momentum and energy, and whether it came back to its rest "
         "shape",
-    .cost = "positions, velocities and energies after every step; ten alignments a simulated second",
+    .cost = "positions, velocities and energies after every step; ten alignments per simulated second",
     .gives = stability_quantities,
     .begin = begun<Stability>};
 }  // namespace measure

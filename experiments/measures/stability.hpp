@@ -1,5 +1,5 @@
-// How stable a run was, from a look after every step: how far the cloth went, whether it kept momentum and
-// energy, and whether it came back to its rest shape.
+// How stable a run was: how far the cloth went, whether it kept momentum and energy, and whether it came back
+// to its rest shape. Checked after every step.
 #pragma once
 
 #include <map>
@@ -13,13 +13,13 @@ namespace bendlab {
 
 class StabilityMeter {
  public:
-  /// Of a run of `duration` s; `scene` must outlive the meter.
+  /// `duration`: of the run, s. `scene` must outlive the meter.
   StabilityMeter(const BuiltScene& scene, double duration);
 
-  /// To be called at time 0 and after every step; a step that diverged is left out.
+  /// To be called at time 0 and after every step, but not after a step that diverged.
   void look(const Simulation& simulation);
 
-  /// What was seen, by name, each beginning with `stability_`; stability.cpp has the list.
+  /// The metrics by name, with the prefix `stability_`; stability.cpp lists them.
   std::map<std::string, double> summary();
 
   void archive(Archive& state) {

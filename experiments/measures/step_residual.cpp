@@ -34,21 +34,21 @@ class StepResidualMeasurement final : public Measurement {
 namespace measure {
 extern const Measure step_residual{
     .name = "step_residual",
-    .summary = "what the iterations of a step leave of its forces",
-    .cost = "as long as an iteration, for each frame",
+    .summary = "forces that the iterations of a step leave unbalanced",
+    .cost = "the time of one iteration per frame",
     .applies = [](const RunConfig&,
                   const BuiltScene& scene) { return scene.input.method.kind().steps_implicitly; },
     .when = "with newton, quasi_newton and vbd",
     .columns = []() -> std::vector<Column> {
       return {{"step_residual", "1",
-               "forces, inertia among them, that the last substep left unbalanced: the sum of their lengths "
-               "over vertices, relative to that of the effects' forces or, without such, to that of inertia; "
-               "unknown if nothing acts"}};
+               "forces (with inertia) that the last substep left unbalanced: the sum of their lengths over "
+               "vertices, divided by the same sum of the effects' forces or, if there are no such forces, of "
+               "inertia; unknown if no force acts"}};
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"step_residual", "1",
-               "unbalanced forces relative to those of the effects or, without such, of inertia, both summed "
-               "over the last substeps of all frames"}};
+               "unbalanced forces divided by the effects' forces or, if there are no such forces, by "
+               "inertia; both are summed over the last substeps of all frames"}};
     },
     .begin = begun<StepResidualMeasurement>};
 }  // namespace measure

@@ -30,7 +30,8 @@ namespace measure {
 extern const Measure stiffness{
     .name = "stiffness",
     .summary =
-        "how stiff a cantilever strip is, by its free end and by its whole shape (see `bendlab stiffness`)",
+        "stiffness of a cantilever strip, from its free end and from its whole shape (see `bendlab "
+        "stiffness`)",
     .cost = "computed once, at the end",
     .gives = []() -> std::vector<Quantity> {
       return {{"stiffness_height_over_width", "1",

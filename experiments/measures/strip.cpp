@@ -21,10 +21,10 @@ class Reach {
 
   template <class Constraints>
   void add(const Constraints& constraints) {
-    for (const auto& vertices : constraints.vertices) add_one(vertices);
+    for (const auto& vertices : constraints.vertices) add_constraint(vertices);
   }
   void add(const OwnElements& own) {
-    for (std::size_t c = 0; c < own.size(); ++c) add_one(own.corners(c));
+    for (std::size_t c = 0; c < own.size(); ++c) add_constraint(own.corners(c));
   }
 
   double median() {
@@ -33,7 +33,7 @@ class Reach {
   }
 
  private:
-  void add_one(const auto& vertices) {
+  void add_constraint(const auto& vertices) {
     const auto pinned = [&](int v) { return pins_.pinned(v); };
     if (std::ranges::none_of(vertices, pinned)) return;
     const auto s = [&](int v) { return along_[static_cast<std::size_t>(v)]; };
@@ -65,8 +65,8 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
   const StripLoad load{config.scene().material.density, gravity_of(config.scene().effects)};
   RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
   const double reach = reach_of(config, rest, pins, strip.meter.along());
-  // The solver's positions are relative to the middle of the strip; those that are stored in single precision
-  // are not.
+  // The solver's positions are relative to the middle of the strip. Positions that are stored in single
+  // precision are not.
   const bool stored_in_double = needs_double(rest.positions(), rest.triangles());
   const double largest =
       stored_in_double ? rest.size() : std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
@@ -88,7 +88,7 @@ RunStrip strip_in(const std::filesystem::path& file, const RunConfig& config, co
 }
 
 std::map<std::string, double> summary_of(const StripStiffness& stiffness) {
-  std::map<std::string, double> numbers = {{"stiffness_height_over_width", stiffness.height_over_width},
+  std::map<std::string, double> metrics = {{"stiffness_height_over_width", stiffness.height_over_width},
                                            {"stiffness_gamma", stiffness.gamma},
                                            {"stiffness_flexural_rigidity", stiffness.flexural_rigidity},
                                            {"stiffness_bending_length", stiffness.bending_length},
@@ -96,8 +96,8 @@ std::map<std::string, double> summary_of(const StripStiffness& stiffness) {
                                            {"stiffness_fit_exponent", stiffness.fit.exponent},
                                            {"stiffness_fit_B", stiffness.fit.rigidity},
                                            {"stiffness_fit_C", stiffness.fit.quartic}};
-  std::erase_if(numbers, [](const auto& number) { return !std::isfinite(number.second); });
-  return numbers;
+  std::erase_if(metrics, [](const auto& metric) { return !std::isfinite(metric.second); });
+  return metrics;
 }
 
 }  // namespace bendlab

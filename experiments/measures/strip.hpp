@@ -1,5 +1,5 @@
-// The stiffness of a run whose cloth is a cantilever strip (lib/bendlab/metrics/stiffness.hpp), with what it
-// takes from the run's config.
+// The stiffness of a run whose cloth is a cantilever strip (lib/bendlab/metrics/stiffness.hpp), with the load
+// and the defaults that follow from the run's config.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,12 @@
 
 namespace bendlab {
 
-/// The defaults follow from the reach of the bending model: how far along the strip its constraints join a
-/// free vertex to others (the median over the vertices that a constraint joins to the clamp). It is t rows
-/// for springs of ring t, two for hinges.
+/// The defaults follow from the reach of the bending model: how far its constraints extend along the strip
+/// (the median over the free vertices that a constraint joins to the clamp). The reach is t rows for springs
+/// of ring t, and two rows for hinges.
 struct StripSettings {
-  /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
+  /// m; default: a quarter of the reach. 0 for physical stiffness, whose calibration compensates for the
+  /// clamp.
   std::optional<double> clamp_offset;
   std::optional<double> exclude;  ///< m; default: the reach
 };
@@ -27,15 +28,17 @@ struct RunStrip {
   StripOptions options;
 };
 
-/// Density and gravity are the config's. Throws std::invalid_argument for what is no cantilever strip.
+/// Takes density and gravity from the config. Throws std::invalid_argument if the cloth is not a cantilever
+/// strip.
 RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                   const StripSettings& settings = {});
 
-/// The same of a run's file. Throws RunFileError, too.
+/// Like strip_of(), but reads mesh and pins from a run's file. Also throws RunFileError.
 RunStrip strip_in(const std::filesystem::path& file, const RunConfig& config,
                   const StripSettings& settings = {});
 
-/// What the measure `stiffness` puts into a run's summary, by name; numbers that are not finite are left out.
+/// The metrics that the measure `stiffness` puts into a run's summary, by name. Leaves out metrics that are
+/// not finite.
 std::map<std::string, double> summary_of(const StripStiffness& stiffness);
 
 }  // namespace bendlab

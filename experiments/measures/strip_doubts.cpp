@@ -16,7 +16,7 @@
 namespace bendlab {
 namespace {
 
-constexpr int enough_edges = 12;  // along a strip: with H/W = 1 its two readings agree within 3 % (tried)
+constexpr int enough_edges = 12;  // along a strip; with H/W = 1, its two readings then agree within 3 %
 
 bool measures_stiffness(const RunConfig& config) {
   const std::vector<std::string>& names = config.settings().output.measures;
@@ -26,7 +26,7 @@ bool measures_stiffness(const RunConfig& config) {
 std::optional<StiffnessMeter> meter_of(const RunConfig& config, const BuiltScene& scene) try {
   return StiffnessMeter(scene.rest, scene.pins.is_pinned,
                         {config.scene().material.density, gravity_of(config.scene().effects)});
-} catch (const std::invalid_argument&) {  // the measure says so itself
+} catch (const std::invalid_argument&) {  // not a strip: the measure says so
   return std::nullopt;
 }
 
@@ -36,7 +36,8 @@ struct Law {
   int power() const { return law == BendingLaw::linear ? 3 : 5; }  // of the length in Γ
 };
 
-// The law that the config states, physically.
+// The bending law whose stiffness the config states in physical units; nothing if it states no such
+// stiffness.
 std::optional<Law> stated_law(const RunConfig& config) {
   const Bending& bending = config.scene().bending;
   if (bending.stiffness != Stiffness::physical) return std::nullopt;
@@ -50,13 +51,13 @@ std::optional<Law> stated_law(const RunConfig& config) {
   return Law{BendingLaw::cubic, *bending.flexural_rigidity / (*bending.at_curvature * *bending.at_curvature)};
 }
 
-// "a strip of 0.17 m": one of which H/W is 1.
+// Describes a strip with H/W = 1.
 std::string strip_that_would_do(const Law& law, double weight) {
   const double gamma = hanging_strip(law.law, 1).gamma,
                length = std::pow(gamma * law.coefficient / weight, 1.0 / law.power());
   return fmt::format(
-      "a strip whose free part is about {:.2g} m long, and at least {} edges, drops by as much "
-      "as it reaches out and can be read",
+      "a strip whose free part is about {:.2g} m and at least {} edges long drops by as much as it reaches "
+      "out, and can be read",
       length, enough_edges);
 }
 
@@ -79,24 +80,26 @@ std::optional<std::string> unreadable_strip(const RunConfig& config, const Built
                                                       : length * 4 / 3 * std::pow(0.75 / gamma, 0.25);
   if (reach < edge)
     return fmt::format(
-        "the strip is too soft for its mesh: with the stated stiffness its {:.3g} m turn downward within "
-        "{:.2g} m of the clamp, and an edge is {:.2g} m long, so that no stiffness can be read; {}",
+        "the strip is too soft for its mesh: with the stated stiffness, the strip of {:.3g} m turns downward "
+        "within {:.2g} m of the clamp, but an edge is {:.2g} m long, so no stiffness can be read; {}",
         length, reach, edge, strip_that_would_do(*law, weight));
-  // A stiff one drops by Γ/8 of its length; its curvature is Γ/8L halfway. Both have to be above rounding.
+  // A stiff strip drops by Γ/8 of its length, and its curvature is Γ/8L halfway. Both have to be above
+  // rounding.
   if (law->law != BendingLaw::linear || scene.precision == Precision::double_precision) return std::nullopt;
   const double rounding = scene.rest.size() * 0x1p-24, curvature = gamma / (8 * length);
   if (curvature * edge * edge < 80 * rounding)
     return fmt::format(
-        "the strip is too stiff to be read in single precision: with the stated stiffness its {:.3g} m drop "
-        "by {:.2g} m, and bend by {:.1g} m along an edge, where coordinates are rounded to {:.1g} m; {}",
+        "the strip is too stiff to be read in single precision: with the stated stiffness, the strip of "
+        "{:.3g} m drops by {:.2g} m and bends by {:.1g} m along an edge, but coordinates are rounded to "
+        "{:.1g} m; {}",
         length, length * gamma / 8, curvature * edge * edge, rounding, strip_that_would_do(*law, weight));
   return std::nullopt;
 }
 
 std::optional<double> ratio_of_readings(const std::map<std::string, double>& summary) {
   const auto number = [&](const char* name) {
-    const auto found = summary.find(name);
-    return found == summary.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    const auto metric = summary.find(name);
+    return metric == summary.end() ? std::numeric_limits<double>::quiet_NaN() : metric->second;
   };
   constexpr double near_linear = 0.3, near_cubic = 0.6;  // of the exponent
   const double exponent = number("stiffness_fit_exponent");
@@ -122,35 +125,36 @@ std::optional<std::string> doubtful_reference(const RunConfig& config,
   return fmt::format(
       "two readings of its strip's stiffness differ by {:.0f} %: `bendlab stiffness {}` shows them",
       100 * std::abs(*ratio_of_readings(readings) - 1), file.parent_path().string());
-} catch (const std::invalid_argument&) {  // no strip
+} catch (const std::invalid_argument&) {  // the cloth is no strip
   return std::nullopt;
 }
 
 std::optional<std::string> doubtful_reading(const RunConfig& config, const BuiltScene& scene,
                                             const std::map<std::string, double>& summary) {
-  const auto found = summary.find("stiffness_height_over_width");
+  const auto height_over_width = summary.find("stiffness_height_over_width");
   const std::optional<StiffnessMeter> meter = meter_of(config, scene);
-  if (found == summary.end() || !meter) return std::nullopt;
+  if (height_over_width == summary.end() || !meter) return std::nullopt;
   const std::optional<Law> stated = stated_law(config);
   const bool fitted = summary.contains("stiffness_fit_exponent");
   // H² + W² is a little less than L².
-  const double edge = scene.rest.mean_edge_length(), reach = meter->length() / std::hypot(1, found->second);
+  const double edge = scene.rest.mean_edge_length(),
+               reach = meter->length() / std::hypot(1, height_over_width->second);
   if (!fitted || reach < edge) {
     const Law read = stated.value_or(Law{BendingLaw::linear, summary.contains("stiffness_flexural_rigidity")
                                                                  ? summary.at("stiffness_flexural_rigidity")
                                                                  : std::numeric_limits<double>::quiet_NaN()});
     return fmt::format(
-        "the strip shows no stiffness: H/W is {:.3g}, {}; {}", found->second,
-        reach < edge ? fmt::format("so that it turns downward within {:.2g} m and edges are {:.2g} m long",
+        "the strip shows no stiffness: H/W is {:.3g}, {}; {}", height_over_width->second,
+        reach < edge ? fmt::format("so the strip turns downward within {:.2g} m, but edges are {:.2g} m long",
                                    reach, edge)
-                     : "and fewer than three places have a curvature that can be told from rounding",
+                     : "and fewer than three places have a curvature above rounding",
         read.coefficient > 0 ? strip_that_would_do(read, weight_of(config))
                              : "take a longer strip, or more cells, and let it come to rest");
   }
   if (!readings_disagree(summary)) return std::nullopt;
   const bool linear = summary.at("stiffness_fit_exponent") < 2;
   const std::string readings = fmt::format(
-      "two readings of the strip disagree by {:.0f} %: {} by its free end, {} by its moments and "
+      "two readings of the strip disagree by {:.0f} %: {} from its free end, {} from its moments and "
       "curvatures: ",
       100 * std::abs(*ratio_of_readings(summary) - 1),
       linear ? fmt::format("B = {:.3g} N m", summary.at("stiffness_flexural_rigidity"))
@@ -159,13 +163,13 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Built
              : fmt::format("{:.3g}", summary.at("stiffness_fit_C")));
   if (meter->clamp_depth() > 0.1 * edge)
     return readings + fmt::format(
-                          "the edge of its clamp zigzags by {:.2g} m, where the membrane cannot bend without "
-                          "stretching. "
-                          "Let edges lie along it (equilateral: /mesh/rows), or take a finer mesh",
+                          "the edge of its clamp zigzags by {:.2g} m, and there the membrane cannot bend "
+                          "without stretching. Choose a mesh with edges along the clamp (equilateral: "
+                          "/mesh/rows), or a finer mesh",
                           meter->clamp_depth());
   const bool moves = scene.input.method.kind().has_motion;
-  return readings + fmt::format("{}its mesh is coarse or its membrane soft. Take {}twice the /mesh/cells",
-                                moves ? "it has not come to rest, " : "",
+  return readings + fmt::format("{}its mesh is coarse, or its membrane is soft. Take {}twice the /mesh/cells",
+                                moves ? "the strip has not come to rest, " : "",
                                 moves ? "the method equilibrium, and " : "");
 }
 

@@ -1,5 +1,5 @@
-// When the stiffness read from a cantilever strip is in doubt: the strip is too stiff, too soft or too coarse
-// to be read, or its two readings disagree.
+// Checks whether the stiffness read from a cantilever strip is in doubt, because the strip is too stiff, too
+// soft or too coarse, or because its two readings disagree.
 #pragma once
 
 #include <filesystem>
@@ -16,21 +16,21 @@ namespace bendlab {
 /// which strip would; nothing if it can, or if the config states no physical stiffness.
 std::optional<std::string> unreadable_strip(const RunConfig& config, const BuiltScene& scene);
 
-/// Why the numbers that the measure `stiffness` put into a run's summary are no stiffness, and what to do;
-/// nothing if they are.
+/// Why the metrics that the measure `stiffness` put into a run's summary do not give the stiffness, and a
+/// remedy; nothing if they do.
 std::optional<std::string> doubtful_reading(const RunConfig& config, const BuiltScene& scene,
                                             const std::map<std::string, double>& summary);
 
-/// The stiffness by the free end over that by the whole shape, of the law that the whole shape shows. Nothing
-/// if it shows neither law, or a reading is missing.
+/// The stiffness read from the free end over the stiffness read from the whole shape, for the bending law
+/// that the whole shape shows. Nothing if it shows neither law, or if a reading is missing.
 std::optional<double> ratio_of_readings(const std::map<std::string, double>& summary);
 
-/// Whether the two readings differ by more than 3 % (by 5 % in m = C κ³, where a length counts to the fifth
+/// Whether the two readings differ by more than 3 % (5 % for m = C κ³, where a length enters to the fifth
 /// power instead of the third).
 bool readings_disagree(const std::map<std::string, double>& summary);
 
-/// Why the last pose of a run is no reference for the stated cloth: two readings of its strip disagree.
-/// Nothing if they agree, or if it is no strip. Throws RunFileError.
+/// Why the last pose of a run is no reference for the stated cloth: the two readings of its strip disagree.
+/// Nothing if they agree, or if the cloth is no strip. Throws RunFileError.
 std::optional<std::string> doubtful_reference(const RunConfig& config, const std::filesystem::path& file);
 
 }  // namespace bendlab

@@ -15,9 +15,10 @@
 namespace bendlab {
 namespace {
 
-// Pairs of frames that have the same time except for rounding; not those at the start, which are equal.
+// Pairs of frames that have the same time except for rounding. Leaves out the start, where the poses are
+// equal.
 std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, const Trajectory& reference) {
-  constexpr double rounding = 1e-6;  // s: of thousands of time steps added up
+  constexpr double rounding = 1e-6;  // s, of a sum of thousands of time steps
   std::vector<std::array<std::size_t, 2>> pairs;
   std::size_t other = 0;
   for (std::size_t f = 0; f < run.time.size(); ++f) {
@@ -28,7 +29,7 @@ std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, con
   return pairs;
 }
 
-// Compares single poses: what depends on the meshes alone is found once.
+// Compares single poses. Values that depend only on the meshes are computed once.
 class PoseComparison {
  public:
   PoseComparison(const RestMesh& run, const RestMesh& reference, const Comparing& comparing)
@@ -70,7 +71,7 @@ class PoseComparison {
   std::vector<double> area_;  // m², of each vertex
 };
 
-// Means and worst of each over the frames.
+// The mean and the worst value of every error over the frames.
 std::map<std::string, double> over_frames(const std::vector<std::map<std::string, double>>& frames) {
   std::map<std::string, double> errors;
   for (const auto& frame : frames)
@@ -107,7 +108,7 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
   if (frames.empty())
     throw std::invalid_argument(
         "no recorded frame has the same time in both runs; choose an /output/frames_per_second whose frames "
-        "fall on steps of both");
+        "fall on steps of both runs");
   return over_frames(frames);
 }
 

@@ -1,4 +1,4 @@
-// Poses of two runs, and how far they are from each other.
+// The poses of runs, and the errors between two runs.
 #pragma once
 
 #include <filesystem>
@@ -16,25 +16,25 @@ struct Trajectory {
   RestMesh rest;
   std::vector<double> time;      ///< #F, s
   std::vector<Positions> poses;  ///< #F
-  std::vector<double> energy;    ///< #F, total, J; or empty
+  std::vector<double> energy;    ///< #F, total energy, J; or empty
 };
 
 /// How two trajectories are compared.
 struct Comparing {
   AlignBy align = AlignBy::none;
-  Vector3 centre = Vector3::Zero(), down = -Vector3::UnitZ();  ///< of the vertical
-  bool over_time = false;     ///< frames at the same times; else the last of each
-  bool inextensible = false;  ///< strain is compared with zero instead of the reference's
-  double energy_scale = 0;    ///< J; 0: no energy is compared
+  Vector3 centre = Vector3::Zero(), down = -Vector3::UnitZ();  ///< axis of AlignBy::vertical
+  bool over_time = false;     ///< compare frames at the same times; else the last frames
+  bool inextensible = false;  ///< compare the strain with zero, instead of the reference's strain
+  double energy_scale = 0;    ///< J; 0: do not compare energies
 };
 
 /// The errors that accuracy.cpp lists, without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over
-/// time `frames`, `energy` and the worst ones, too. Throws std::invalid_argument if the meshes don't go
-/// together or no frames have a time in common.
+/// time also `frames`, `energy` and the worst errors. Throws std::invalid_argument if the meshes don't match,
+/// or no two frames have the same time.
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
                                              const Comparing& comparing);
 
-/// From a run's file: its last frame; all frames; these with their energies, in the run's scene. Throw
+/// Read a run's file: its last frame; all frames; all frames with their energies in the run's scene. Throw
 /// RunFileError.
 Trajectory read_last_pose(const std::filesystem::path& file);
 Trajectory read_motion(const std::filesystem::path& file);

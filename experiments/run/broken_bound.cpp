@@ -19,27 +19,27 @@ std::string what_broke(const BrokenBound& broken) {
   const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
   switch (bound) {
     case Bound::finite:
-      if (vertex < 0) return "the summary has numbers that are not finite";
-      return fmt::format("vertex {} has no finite position or velocity", vertex);
+      if (vertex < 0) return "the summary has metrics that are not finite";
+      return fmt::format("the position or the velocity of vertex {} is not finite", vertex);
     case Bound::stretch:
       return fmt::format(
           "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
           "cannot stretch more than {:.3g} times",
           vertex, measured, limit);
     case Bound::mean_strain:
-      return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
-                         limit);
+      return fmt::format("the mean strain is {:.3g}, but in this cloth it cannot be more than {:.3g}",
+                         measured, limit);
     case Bound::reach:
       return fmt::format(
-          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
-          "long, stretched",
+          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them stretches to at most "
+          "{:.3g} m",
           vertex, measured, limit);
     case Bound::speed:
-      return fmt::format("vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}",
+      return fmt::format("vertex {} moves at {:.3g} m/s, but the deepest possible fall gives at most {:.3g}",
                          vertex, measured, limit);
     case Bound::momentum:
       return fmt::format(
-          "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
+          "the velocity of the centre of mass differs by {:.3g} m/s from v0 + g t, but rounding explains at "
           "most {:.3g}",
           measured, limit);
     case Bound::fall:
@@ -48,16 +48,16 @@ std::string what_broke(const BrokenBound& broken) {
           measured, limit);
     case Bound::energy:
       return fmt::format(
-          "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
-          "the solver explain at most {:.3g}",
+          "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but solver errors "
+          "explain at most {:.3g}",
           measured, limit);
   }
   return std::string();
 }
 
 double number_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
+  const auto value = json.find(key);
+  return value != json.end() && value->is_number() ? value->get<double>()
                                                    : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -73,14 +73,14 @@ std::string_view unit_of(Bound bound) {
 
 std::string text_of(const BrokenBound& broken) {
   const Correction& correction = broken.correction;
-  const std::string cause = correction.kind.empty()
-                                ? ""
-                                : fmt::format(
-                                      "; of the constraints there, one of kind {} asks for the largest "
-                                      "correction, {:.3g} m",
-                                      correction.kind, correction.length);
+  const std::string cause =
+      correction.kind.empty()
+          ? ""
+          : fmt::format(
+                "; of the constraints there, a constraint of kind {} has the largest correction, {:.3g} m",
+                correction.kind, correction.length);
   return fmt::format("at t = {:.6g} s {}{}{}{}", broken.time, what_broke(broken), cause,
-                     broken.advice.empty() ? "" : ". Measured to help in other scenes: ", broken.advice);
+                     broken.advice.empty() ? "" : ". In tests of other scenes, this helped: ", broken.advice);
 }
 
 Json to_json(const BrokenBound& broken) {
@@ -96,7 +96,7 @@ Json to_json(const BrokenBound& broken) {
 
 std::optional<BrokenBound> broken_bound_of(const Json& json) try {
   const auto name = std::ranges::find(bound_names, json.at("bound").get<std::string>());
-  const Json& vertex = json.at("vertex");  // 1e300 would fit into no int
+  const Json& vertex = json.at("vertex");  // 1e300 does not fit into an int
   if (name == bound_names.end() || !vertex.is_number_integer()) return std::nullopt;
   return BrokenBound{.bound = static_cast<Bound>(name - bound_names.begin()),
                      .measured = number_in(json, "measured"),

@@ -36,7 +36,7 @@ constexpr rlim_t memory_limit = rlim_t{4} << 30;  // bytes
 
 std::atomic<bool> has_child{false};  // the program answers `read-file FILE`
 
-// What a child process wrote until its end, or until it was ended.
+// The output of a child process until it ended or was killed.
 struct Answer {
   std::string text;
   int status = 0;
@@ -99,7 +99,7 @@ RunRecord read_by_child(const fs::path& file) {
   const auto fail = [&](const std::string& why) {
     throw file_error(file, "can't be read as a run file", why, 0);
   };
-  if (answer.late) fail(fmt::format("the HDF5 library reads it without end ({} s)", time_limit.count()));
+  if (answer.late) fail(fmt::format("the HDF5 library has not read it within {} s", time_limit.count()));
   if (WIFSIGNALED(answer.status))
     fail(fmt::format("the HDF5 library crashes on it ({})", ::strsignal(WTERMSIG(answer.status))));
   const Json json = Json::parse(answer.text, nullptr, false);
@@ -113,8 +113,7 @@ RunRecord read_by_child(const fs::path& file) {
 RunRecord read_checked(const fs::path& file) {
   const Seal seal = seal_of(file);
   if (seal == Seal::broken)
-    throw file_error(file, "can't be used",
-                     "it was changed after it was written: its checksum is another one", 0);
+    throw file_error(file, "can't be used", "it was changed after it was written: its checksum is wrong", 0);
   if (seal == Seal::whole) return read_run(file);
   RunRecord run = has_child ? read_by_child(file) : read_run(file);
   if (is_over(run.status))

@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* checkpoint_name = "run.checkpoint";
-constexpr double largest_share = 0.01;  // of a run's time that checkpoints may take
+constexpr double largest_share = 0.01;  // share of a run's time that checkpoints may take
 
-// The bits of a Cholesky factor depend on the processor for which the BLAS chooses its kernels.
+// The bits of a Cholesky factor depend on the processor, for which the BLAS chooses its kernels.
 std::string identity(const std::string& id) {
   return fmt::format("bendlab checkpoint\n{}\n{}\n{}\n", id, processor_name(), blas_kernels());
 }

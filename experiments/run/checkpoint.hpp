@@ -1,4 +1,5 @@
-// What a run needs to go on after it was stopped, killed, or lost its power: a file beside its run file.
+// Checkpoint: a file beside the run file, from which a run goes on after it was stopped or killed, or after a
+// power cut.
 #pragma once
 
 #include <chrono>
@@ -13,16 +14,16 @@
 namespace bendlab {
 
 struct Checkpoint {
-  std::uint64_t frames = 0;  ///< of the run file, which may have more
+  std::uint64_t frames = 0;  ///< frames of the run file at that time; the file may have more
   std::string state;         ///< an archive of all that the run keeps between steps
 };
 
-/// Replaces the one in `folder` in one step. Throws RunFileError.
+/// Replaces the checkpoint in `folder` in one step. Throws RunFileError.
 void write_checkpoint(const std::filesystem::path& folder, const std::string& id,
                       const Checkpoint& checkpoint);
 
-/// The checkpoint of run `id` by this program on such a processor; nothing if there is none, or a damaged
-/// one.
+/// The checkpoint of run `id`. Nothing if it is missing or damaged, or was written for another kind of
+/// processor.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, const std::string& id);
 
 void remove_checkpoint(const std::filesystem::path& folder) noexcept;
@@ -33,12 +34,12 @@ class Checkpoints {
   using Seconds = std::chrono::duration<double>;
   using State = std::function<std::string()>;
 
-  /// `interval`: the least time between two; 0: none are written but by now().
+  /// `interval`: the shortest time between two checkpoints; 0: only now() writes a checkpoint.
   Checkpoints(std::filesystem::path folder, std::string id, FrameWriter& writer, Seconds interval);
 
-  /// Writes one if it is due. `state` is asked only then, when all `frames` are in the run file.
+  /// Writes a checkpoint if it is due. `state` is called only then, when all `frames` are in the run file.
   void look(std::uint64_t frames, const State& state);
-  /// Writes one.
+  /// Writes a checkpoint.
   void now(std::uint64_t frames, const State& state);
 
  private:

@@ -50,12 +50,12 @@ void for_own_corrections(const SimulationInput& input, const Positions& position
   }
 }
 
-// Calls visit(kind, correction length) for every constraint of `vertex`; if that is -1, for every vertex of
-// every constraint.
+// Calls visit(kind, correction length) for every constraint of `vertex`; if `vertex` is -1, for every vertex
+// of every constraint.
 template <class Visit>
 void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
                      Visit visit) {
-  const auto each = [&](std::string_view kind, const auto& vertices, const auto& value) {
+  const auto visit_vertices = [&](std::string_view kind, const auto& vertices, const auto& value) {
     for (const int v : vertices)
       if (vertex < 0 || v == vertex) visit(kind, correction_length(input, vertices, v, value));
   };
@@ -65,8 +65,8 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
   const auto springs = [&](std::string_view kind, const DistanceConstraints& list) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (concerns(list.vertices[c]))
-        each(kind, list.vertices[c],
-             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest(c)));
+        visit_vertices(kind, list.vertices[c],
+                       distance_constraint<double>(corners(positions, list.vertices[c]), list.rest(c)));
   };
   const StrainForm form = input.strain_stiffness.form;
   for (std::size_t c = 0; membrane && c < input.strain.size(); ++c) {
@@ -74,17 +74,18 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
     if (!concerns(vertices)) continue;
     const auto p = corners(positions, vertices);
     const std::array<double, 4>& q = input.strain.inverse_rest[c];
-    each("strain", vertices, stretch_constraint(p, q, 0, form));
-    each("strain", vertices, stretch_constraint(p, q, 1, form));
-    each("strain", vertices, shear_constraint(p, q, form));
+    visit_vertices("strain", vertices, stretch_constraint(p, q, 0, form));
+    visit_vertices("strain", vertices, stretch_constraint(p, q, 1, form));
+    visit_vertices("strain", vertices, shear_constraint(p, q, form));
   }
   if (membrane) springs("edge", input.edges);
   springs("distance", input.distance);
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     for (std::size_t c = 0; c < list.size(); ++c)
       if (concerns(list.vertices[c]))
-        each(Kind::name, list.vertices[c],
-             Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
+        visit_vertices(
+            Kind::name, list.vertices[c],
+            Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
   });
   for_own_corrections(input, positions, vertex, visit);
 }

@@ -14,10 +14,10 @@ struct Correction {
   double length = 0;  ///< m
 };
 
-/// At `positions` (#V by 3, m); `vertex` may be -1.
+/// The largest correction of `vertex` at `positions` (#V by 3, m); without kind and length if `vertex` is -1.
 Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex);
 
-/// The largest of any vertex by a constraint of bending, m.
+/// Length of the largest correction of any vertex by a bending constraint, m.
 double largest_bending_correction(const SimulationInput& input, const Positions& positions);
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// Exit codes, and which one an error gives.
+// Exit codes, and the exit code of an error.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace bendlab {
 
-/// What the program's exit code says. A command stopped by a signal gives 128 + the signal's number.
+/// The meaning of the program's exit code. A command stopped by a signal gives 128 + the signal's number.
 enum ExitCode : int {
   exit_ok = 0,
   exit_failed = 1,  ///< a run or an expectation failed, or a run is implausible
@@ -17,12 +17,12 @@ enum ExitCode : int {
   exit_numerical = 6,  ///< a run diverged
 };
 
-/// Arguments that make no sense together, or name nothing that exists. Exit code 2.
+/// Arguments that make no sense together, or that name something which does not exist. Exit code 2.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Problems of one or more configs, a line each. Exit code 3.
+/// Problems of one or more configs, one per line. Exit code 3.
 class ConfigsError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

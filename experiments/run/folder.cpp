@@ -32,14 +32,14 @@ RunOutcome outcome_of(const RunRecord& record) {
 }  // namespace
 
 Found look_for(const std::filesystem::path& file, const std::string& id) {
-  std::error_code none;
-  if (!std::filesystem::exists(std::filesystem::symlink_status(file, none))) return {};
+  std::error_code ignored;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, ignored))) return {};
   try {
     switch (seal_of(file)) {
       case Seal::none:
-        return {{}, "has no checksum, so that it was not finished by this program"};
+        return {{}, "has no checksum, so this program did not finish it"};
       case Seal::broken:
-        return {{}, "was changed after it was written: its checksum is another one"};
+        return {{}, "was changed after it was written: its checksum is wrong"};
       case Seal::whole:
         break;
     }
@@ -57,7 +57,7 @@ void keep_changes(const std::filesystem::path& folder) try {
   if (build_info().changes.empty() || std::filesystem::exists(file)) return;
   make_folder(folder);
   replace_file(file, build_info().changes, Wait::no);
-} catch (const std::exception&) {  // the runs say why nothing can be written there
+} catch (const std::exception&) {  // the errors of the runs say why nothing can be written there
 }
 
 std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token) {
@@ -72,7 +72,7 @@ void adopt_finished(const RunPlace& place) {
       if (seal_of(part) != Seal::whole) continue;
       const RunRecord record = read_run(part);
       if (record.id == place.id && is_over(record.status)) publish(part, place.file);
-    } catch (const RunFileError&) {  // of no use
+    } catch (const RunFileError&) {  // a file that cannot be read cannot be adopted
     }
 }
 

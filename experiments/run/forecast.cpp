@@ -26,19 +26,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Bytes, measured as a process's largest resident set over 12 models on grids of 32 to 1024 cells.
+// Bytes, measured as the largest resident set of a process, for 12 models on grids of 32 to 1024 cells.
 namespace bytes {
 constexpr double of_program = 26e6;
-constexpr double per_vertex = 1130;  // mesh, membrane, frames on their way to the file
-constexpr double padding = 1.3;      // of the kernels' groups of constraints
-// While the stiffness of pairs is fitted: of the sheet bent, a sparse factor, per vertex; or of a pair.
+constexpr double per_vertex = 1130;  // mesh, membrane, frames that wait to be written
+constexpr double padding = 1.3;      // of constraints, which kernels take in groups
+// While the stiffness of pairs is fitted: the sparse factor of the bent sheet per vertex, less a constant;
+// or, if that is more, `fitted` per pair.
 constexpr double bent_sheet = 3900, bent_sheet_less = 1e7, fitted = 190;
-constexpr double factor_of_scalars = 110, factor_of_blocks = 700;  // per vertex and log2 of the vertices
+constexpr double factor_of_scalars = 110, factor_of_blocks = 700;  // per vertex, times log2 of the vertices
 constexpr double levels_per_vertex = 330;
 constexpr double file = 36e3, small_file = 8e3;
 constexpr double file_per_vertex = 39, file_per_regular_vertex = 5.5;  // the rest pose is compressed
 constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 560;
-constexpr double compressed = 0.65, most_compressed = 32768;  // a small file's arrays of frames
+constexpr double compressed = 0.65, most_compressed = 32768;  // frame arrays in small files
 }  // namespace bytes
 
 // Seconds of CPU time, on the processor of results/performance: fitted to the models on grids of 32 to 256
@@ -48,8 +49,8 @@ constexpr double of_run = 3e-3;
 constexpr double set_up_per_vertex = 6e-6, levels_per_vertex = 3.5e-5, scalars_per_vertex = 1e-5;
 constexpr double set_up_per_constraint = 2e-7, bent_sheet_per_vertex = 2e-5, fitted = 3e-6;
 constexpr double frame_per_triangle = 1.2e-7;
-constexpr double vertex = 8e-9;              // in a substep, whatever effects there are
-constexpr double number = 1e-9;              // a projection, per number of the constraint
+constexpr double vertex = 8e-9;              // in a substep, besides the effects
+constexpr double number = 1e-9;              // a projection, per number that the constraint keeps
 constexpr double factor_of_blocks = 3.2e-7;  // per vertex, times √V
 }  // namespace seconds
 
@@ -61,7 +62,7 @@ bool has_levels(const Method& method) {
   return method.kind().carries_stretch != nullptr && method.kind().carries_stretch(method.settings());
 }
 
-// More of a matrix is filled where there are more constraints, or where they reach farther.
+// The factor of a matrix has more entries if there are more constraints, or if they reach farther.
 double fill(const RunSize& size) {
   return std::max(1.0, 0.35 * size.reach * std::cbrt(size.pairs / size.vertices));
 }
@@ -91,7 +92,8 @@ std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted)
                                    config.scene().bending.model.name());
   if (fitted)
     advice +=
-        "; /bending/stiffness \"compliance\" or \"k\" needs less than \"physical\", which fits each spring";
+        "; /bending/stiffness \"compliance\" or \"k\" needs less memory than \"physical\", which fits each "
+        "spring";
   return advice;
 }
 
@@ -120,7 +122,7 @@ double left_in_limit() {
 
 double disk_bytes(const RunConfig& config, const RunSize& size, double frames, double cpu_s, bool in_double) {
   const Mesh& mesh = config.scene().mesh;
-  // From the origin, unless a mesh file is far from it.
+  // The largest coordinate. A mesh file that lies far from the origin is not considered.
   const double farthest = std::max(size.size / 2, mesh.offset.cwiseAbs().maxCoeff());
   in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * size.mean_edge;
   const bool regular = !mesh.file && mesh.generator != Generator::delaunay;
@@ -195,7 +197,7 @@ double left_in_group(const fs::path& group) {
 }
 
 double available_memory() {
-  const double group = left_in_group("/sys/fs/cgroup");  // of a container, whose own group is at the root
+  const double group = left_in_group("/sys/fs/cgroup");  // in a container, this is its own group
   return std::max(0.0, std::min({left_in_machine(), group, left_in_limit()}));
 }
 
@@ -214,17 +216,16 @@ std::string duration_text(double s) {
 
 namespace {
 
-constexpr double let_through = 1.1;  // a forecast is no measurement
+constexpr double let_through = 1.1;  // because a forecast is not exact
 
 void require_memory(const Forecast& needs) {
   constexpr double most = std::numeric_limits<int>::max();
   if (needs.constraints > most)
-    throw NoRoom(
-        fmt::format("the run would have about {:.2g} bending constraints, and no more than {:.2g} can "
-                    "be counted: {}",
-                    needs.constraints, most, needs.advice));
+    throw NoRoom(fmt::format(
+        "the run would have about {:.2g} bending constraints, but at most {:.2g} can be counted: {}",
+        needs.constraints, most, needs.advice));
   if (const double available = available_memory(); needs.memory_bytes > let_through * available)
-    throw NoRoom(fmt::format("the run needs about {} of memory, and {} are available: {}",
+    throw NoRoom(fmt::format("the run needs about {} of memory, but only {} are available: {}",
                              bytes_text(needs.memory_bytes), bytes_text(available), needs.advice));
 }
 
@@ -242,7 +243,7 @@ void require_room(const RunConfig& config, const fs::path& folder) {
   const fs::space_info space = fs::space(folder, error);
   if (!error && needs->disk_bytes > let_through * static_cast<double>(space.available))
     throw RunFileError(fmt::format(
-        "{}: the run file needs about {}, and {} are free on that disk: choose fewer "
+        "{}: the run file needs about {}, but only {} are free on that disk: choose fewer "
         "/output/frames_per_second or a shorter /duration, or another --out",
         folder.string(), bytes_text(needs->disk_bytes), bytes_text(static_cast<double>(space.available))));
 }

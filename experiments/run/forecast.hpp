@@ -1,4 +1,4 @@
-// What a run will need, before anything is allocated for it.
+// Forecasts the memory, disk space and time of a run, before anything is allocated for it.
 #pragma once
 
 #include <filesystem>
@@ -11,35 +11,37 @@
 namespace bendlab {
 
 struct Forecast {
-  double memory_bytes = 0;  ///< of the process at its peak, with nothing else in it
+  double memory_bytes = 0;  ///< peak of a process that computes only this run
   double disk_bytes = 0;    ///< of the run file
   double cpu_s = 0;         ///< CPU time, on a processor like that of results/performance
-  double set_up_s = 0;      ///< the part of it before the first step
-  double constraints = 0;   ///< of bending
+  double set_up_s = 0;      ///< the part of cpu_s before the first step
+  double constraints = 0;   ///< bending constraints
   std::string advice;       ///< which setting lowers the largest part of the memory
 };
 
-/// From the settings alone, within 20 % of memory and disk (measured: tests/experiments/forecast_test.cpp);
-/// time depends on the machine. Nothing if the mesh cannot be made.
+/// Forecasts from the settings alone. Memory and disk space are right within 20 % (measured:
+/// tests/experiments/forecast_test.cpp); time depends on the machine. Nothing if the mesh cannot be made.
 std::optional<Forecast> forecast(const RunConfig& config);
 
-/// Memory that processes of a control group (version 2, its folder) may still take, bytes; infinite without a
-/// limit. Files that the system keeps for them in memory are no obstacle: it drops those first.
+/// Memory that the processes of a control group may still take, bytes; infinite without a limit. `group`:
+/// folder of the group (version 2). Files that the system caches in memory do not count, because it drops
+/// them first.
 double left_in_group(const std::filesystem::path& group);
 
-/// Memory that this process may still take, bytes: of the machine, of its control group, and its own limit.
+/// Memory that this process may still take, bytes: limited by the machine, its control group, and its own
+/// limit.
 double available_memory();
 
-/// A run that the machine has no room for.
+/// The machine has too little memory for a run.
 class NoRoom : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws NoRoom with the memory that the run needs, what there is, and the setting to change. A tenth too
-/// much is let through, because a forecast is no measurement.
+/// Throws NoRoom, with the memory that the run needs, the memory that is available, and the setting to
+/// change. Tolerates a tenth too much, because a forecast is not exact.
 void require_memory(const RunConfig& config);
 
-/// The same, and RunFileError for the disk. `folder`: where the run file goes.
+/// Like require_memory(); also throws RunFileError if the run file does not fit on the disk of `folder`.
 void require_room(const RunConfig& config, const std::filesystem::path& folder);
 
 /// "1.2 GB".

@@ -1,4 +1,4 @@
-// Which machine this is, and its clocks: for what runs and benchmarks record about themselves.
+// The machine's names and clocks, which runs and benchmarks record.
 #pragma once
 
 #include <string>
@@ -7,9 +7,9 @@ namespace bendlab {
 
 std::string processor_name();  ///< "unknown" where the system does not say
 std::string host_name();
-/// For which processor the BLAS chose its kernels, "SkylakeX"; "unknown" if it does not say.
+/// The processor for which the BLAS chose its kernels, "SkylakeX"; "unknown" if the BLAS does not say.
 std::string blas_kernels();
-/// "Eigen 3.4.0, CGAL 5.5.1, …": of the libraries that decide results.
+/// "Eigen 3.4.0, CGAL 5.5.1, …": the libraries that affect results.
 std::string library_versions();
 std::string utc_now();  ///< "2026-01-31T12:00:00Z"
 

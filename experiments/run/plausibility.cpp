@@ -18,46 +18,48 @@
 namespace bendlab {
 namespace {
 
-// ---- The limits. Each is what the scene cannot exceed, times a margin for the errors of an honest solver.
+// ---- The limits. A limit is a value that the scene cannot exceed, times a margin for the errors of a solver
 
-// A membrane with k, or with compliance 0, should not stretch, but iterations leave it stretched: on 16 cells
-// the paper's scene has triangles 1.5 times as long as at rest and, where its swing ends, 2.2 times for a
-// moment. Above twice the paper's own figure 1 calls a pin wrong.
+// A membrane with k, or with compliance 0, should not stretch, but iterations leave it stretched. On 16 cells
+// the paper's scene has triangles 1.5 times as long as at rest and, at the end of a swing, 2.2 times for a
+// moment. The paper's own figure 1 calls a pin wrong if the stretch there is above 2.
 constexpr double largest_stretch = 3, largest_lasting_stretch = 2;
 // The mean strain over all triangles is 0.04 in that scene, and at most 0.08 for a moment.
 constexpr double largest_mean_strain = 0.3, largest_lasting_mean_strain = 0.2;
-constexpr double moment = 0.5;  // s: for longer than that no end of a swing exceeds a lasting limit
+constexpr double moment = 0.5;  // s; the end of a swing exceeds a lasting limit for less time than this
 
-// Of a membrane with a compliance: a sudden load stretches twice as far as a resting one, and a corner's
-// triangles carry it unevenly, the first again twice its share.
+// Factor for a membrane with a compliance. A sudden load stretches it twice as far as a resting load. The
+// triangles at a corner share a load unevenly: the first carries twice its share.
 constexpr double sudden_and_uneven = 4;
 
-// Along the path from a pin, where not all triangles are stretched as far as the worst may be.
+// Stretch of the whole path from a pin, on which not all triangles are stretched as far as the worst
+// triangle.
 constexpr double largest_way_stretch = 1.5;
 
-// A tip that whips is faster than cloth that falls: it takes the energy of its neighbours. A factor of 16 in
-// energy.
+// A whipping tip is faster than falling cloth, because it takes the energy of its neighbours. A factor of 4
+// in speed is a factor of 16 in energy.
 constexpr double whip = 4;
 
-// A share of the energy scale. PBD's energy may rise: forward sweeps at small steps leave speeds up to 1 m/s
-// (0.04 of weight times size for a sheet of 1 m). An implicit step that finds its minimum gains none.
+// Shares of the energy scale. The energy of PBD may rise: forward sweeps with small steps leave speeds up to
+// 1 m/s (0.04 of weight times size for a sheet of 1 m). An implicit step that finds its minimum gains no
+// energy.
 constexpr double largest_energy_gain = 0.25, largest_implicit_gain = 0.02;
 
-// A share of g t, v0 and the speed of the fastest vertex. With gravity there is no further allowance for
-// rounding: gravity must not be lost to rounding.
+// Share of the sum of g t, v0 and the speed of the fastest vertex. With gravity there is no further allowance
+// for rounding, because gravity must not be lost to rounding.
 constexpr double momentum_share = 0.01;
-// Without gravity: a multiple of what rounding adds up to as a random walk, the same as on the stability
-// page.
+// Without gravity, rounding is allowed this multiple of the speed that it adds up to as a random walk. The
+// stability page uses the same multiple.
 constexpr double walks = 8;
 
-// A check copies positions and velocities: 32 to 51 µs for 65² vertices, about 10 ns each; 1000 projections
-// take 2 µs at least. Measured there, of a step: 0.3 % (no bending, 1 iteration), 0.2 % (10), 0.5 %
-// (adaptive, 1 and 10).
+// A check copies positions and velocities. For 65² vertices that takes 32 to 51 µs, about 10 ns per vertex;
+// 1000 projections take at least 2 µs. Measured on that mesh, checks take 0.3 % of a step without bending and
+// with 1 iteration, 0.2 % with 10 iterations, and 0.5 % with the model adaptive and 1 or 10 iterations.
 constexpr double projections_per_vertex_and_look = 1000;
 
-constexpr double roundings = 100;            // by which a projected sheet at rest jitters, of its size
-constexpr double strained = 0.01;            // a start pose with more has elastic energy, unknown with k
-constexpr double unstrained_bending = 1e-3;  // of an edge: smaller corrections come from a perturbation
+constexpr double roundings = 100;  // jitter of a projected sheet at rest, over rounding of its size
+constexpr double strained = 0.01;  // a start pose with more strain has elastic energy, unknown with k
+constexpr double unstrained_bending = 1e-3;  // of an edge; smaller corrections come from a perturbation
 
 Vector3 row(const Positions& rows, Eigen::Index index) {
   return rows.row(index).transpose();
@@ -72,7 +74,7 @@ double epsilon_of(const BuiltScene& scene) {
                                                         : double{std::numeric_limits<float>::epsilon()};
 }
 
-// The largest force of effects on the whole cloth, of those that state one, N.
+// The largest force on the whole cloth, N: the sum over the effects that state a largest force.
 double largest_force(const BuiltScene& scene) {
   const double area = std::accumulate(scene.rest.areas().begin(), scene.rest.areas().end(), 0.0);
   double force = 0;
@@ -100,18 +102,19 @@ Plausibility::Plausibility(const BuiltScene& scene)
   find_start();
   find_stretch_limits();
   find_reach();
-  if (std::ranges::any_of(scene.effects, [](const Effect& each) { return each.kind().moves_pins; }))
+  if (std::ranges::any_of(scene.effects, [](const Effect& effect) { return effect.kind().moves_pins; }))
     find_pin_pairs();
 }
 
 void Plausibility::find_what_drives() {
   driven_ = std::ranges::any_of(scene_.effects, does_work);
-  free_ = scene_.pins.all.empty() && scene_.input.method.kind().keeps_momentum &&
-          std::ranges::all_of(scene_.effects, [](const Effect& each) { return each.kind().keeps_momentum; });
+  free_ =
+      scene_.pins.all.empty() && scene_.input.method.kind().keeps_momentum &&
+      std::ranges::all_of(scene_.effects, [](const Effect& effect) { return effect.kind().keeps_momentum; });
 }
 
-// The energy at the start: kinetic, and elastic of constraints with a compliance. k states no energy, so that
-// the energy of a strained start is not known with k.
+// The energy at the start is kinetic energy plus the elastic energy of constraints with a compliance. k
+// states no energy, so the energy of a strained start is not known with k.
 void Plausibility::find_start() {
   const SimulationInput& input = scene_.input;
   const Positions zero = Positions::Zero(input.positions.rows(), 3);
@@ -129,7 +132,8 @@ void Plausibility::find_start() {
   double largest = 0;
   for (const PrincipalStretches& s : meter.measure(input.positions))
     largest = std::max({largest, s.largest - 1, 1 - s.smallest});
-  // k may undo the strain of a pose, even if it comes from rounding, within a substep.
+  // Constraints with k may undo the strain of a pose within a substep, even a strain that comes from
+  // rounding.
   const double size = scene_.rest.size(),
                back = size * (std::min(largest, strained) + roundings * epsilon_of(scene_));
   snap_ = back * input.settings.substeps / input.settings.dt;
@@ -140,14 +144,14 @@ void Plausibility::find_start() {
       input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0;
   const double largest_correction =
       bending_has_energy ? 0 : largest_bending_correction(input, input.positions);
-  // A membrane of springs along edges (kang_cho) has an energy that elastic_energy() does not sum up.
+  // elastic_energy() leaves out the energy of a membrane of springs along edges (kang_cho).
   energy_known_ = (largest <= strained || (membrane_has_energy && input.edges.size() == 0)) &&
                   largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();
 }
 
-// A membrane's compliance α is 1 over its stiffness in N/m. A load W on a width w strains it by α W / w; an
-// impact at the speed v by v √(α ρ), which is v over the membrane's wave speed; the whole energy E of the
-// scene by √(2 α E / A) in the mean over the area A.
+// A membrane's compliance α is 1 over its stiffness in N/m. A load W on a width w strains it by α W / w. An
+// impact at the speed v strains it by v √(α ρ), which is v over the membrane's wave speed. The whole energy E
+// of the scene strains it by √(2 α E / A) on average over the area A.
 void Plausibility::find_stretch_limits() {
   const SimulationInput& input = scene_.input;
   const StrainStiffness& strain = input.strain_stiffness;
@@ -165,7 +169,8 @@ void Plausibility::find_stretch_limits() {
     shear_share = share_per_step(strain, strain.shear, input);
   }
   if (!(share > 0)) return;  // warp or weft is free to stretch
-  // Sheared flat, a triangle whose warp and weft keep their lengths is √2 times as long and has no width.
+  // If warp and weft keep their lengths, a triangle that is sheared flat is √2 times as long and has no
+  // width.
   const double sheared = shear_share < 0.5 ? std::sqrt(2.0) : 1;
   const auto above_one = [&](double limit) { return sheared * (1 + (limit - 1) / share + softer); };
   stretch_ = above_one(largest_stretch), lasting_stretch_ = above_one(largest_lasting_stretch);
@@ -188,8 +193,8 @@ void Plausibility::find_stretch_limits() {
   }
 }
 
-// How far each vertex may be from its nearest pin: the path along the cloth, stretched, plus an edge at the
-// pin, stretched as far as a single triangle may be.
+// Largest distance of each vertex from its nearest pin: the stretched path along the cloth, plus an edge at
+// the pin that is stretched as far as a single triangle may be.
 void Plausibility::find_reach() {
   if (scene_.pins.all.empty() || !std::isfinite(stretch_)) return;
   const Positions& start = scene_.input.positions;
@@ -197,7 +202,7 @@ void Plausibility::find_reach() {
   const double stretched = std::max(largest_way_stretch, lasting_stretch_ / largest_lasting_stretch),
                at_pin = stretch_ * scene_.rest.mean_edge_length();
   pin_ = way.source;
-  reach_.assign(pin_.size(), none);
+  reach_.assign(pin_.size(), infinity);
   for (std::size_t v = 0; v < pin_.size(); ++v) {
     if (pin_[v] < 0) continue;
     const auto vertex = static_cast<Eigen::Index>(v);
@@ -208,12 +213,12 @@ void Plausibility::find_reach() {
   }
 }
 
-// Distances along the cloth between a sample of the pins, each as far from the others as possible.
+// Distances along the cloth between a sample of the pins, which lie as far apart as possible.
 void Plausibility::find_pin_pairs() {
   constexpr std::size_t most = 12;
   const std::vector<int>& pins = scene_.pins.all;
   if (pins.size() < 2) return;
-  std::vector<double> nearest(pins.size(), none);
+  std::vector<double> nearest(pins.size(), infinity);
   std::size_t next = 0;
   std::vector<int> sample;
   while (sample.size() < std::min(most, pins.size())) {
@@ -231,7 +236,7 @@ void Plausibility::find_pin_pairs() {
   }
 }
 
-// How far pins that were moved apart stretch the cloth between them; at least 1.
+// How far pins that moved apart stretch the cloth between them: length over rest length, at least 1.
 double Plausibility::needed_stretch(const Positions& positions) const {
   double needed = 1;
   for (const PinPair& pair : pin_pairs_)
@@ -239,12 +244,12 @@ double Plausibility::needed_stretch(const Positions& positions) const {
   return needed;
 }
 
-void Plausibility::keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
+void Plausibility::keep(std::optional<BrokenBound>& kept, BrokenBound bound, double time,
                         const Positions& positions) const {
-  found.time = time;
-  if (found.bound != Bound::finite)
-    found.correction = worst_correction(scene_.input, positions, found.vertex);
-  kept = std::move(found);
+  bound.time = time;
+  if (bound.bound != Bound::finite)
+    bound.correction = worst_correction(scene_.input, positions, bound.vertex);
+  kept = std::move(bound);
 }
 
 void Plausibility::look(const Simulation& simulation, bool always) {
@@ -259,13 +264,13 @@ void Plausibility::look(const Simulation& simulation, bool always) {
 void Plausibility::look(double time, const Positions& positions, const Positions& velocities) {
   if (broken_) return;
   const WithoutTraps traps_are_off;
-  std::optional<BrokenBound> found = look_at_numbers(positions, velocities);
-  if (!found) found = look_at_reach(positions);
+  std::optional<BrokenBound> bound = look_at_numbers(positions, velocities);
+  if (!bound) bound = look_at_reach(positions);
   const bool has_motion = scene_.input.method.kind().has_motion;
-  if (!found && has_motion) found = look_at_momentum(time, positions, velocities);
-  if (!found && has_motion) found = look_at_speed(positions, velocities);
-  if (!found && has_motion) found = look_at_energy(positions, velocities);
-  if (found) keep(broken_, *std::move(found), time, positions);
+  if (!bound && has_motion) bound = look_at_momentum(time, positions, velocities);
+  if (!bound && has_motion) bound = look_at_speed(positions, velocities);
+  if (!bound && has_motion) bound = look_at_energy(positions, velocities);
+  if (bound) keep(broken_, *std::move(bound), time, positions);
 }
 
 std::optional<BrokenBound> Plausibility::look_at_numbers(const Positions& positions,
@@ -284,7 +289,7 @@ std::optional<BrokenBound> Plausibility::look_at_reach(const Positions& position
   if (reach_.empty()) return std::nullopt;
   const double needed = needed_stretch(positions);
   double worst = 1;
-  std::optional<BrokenBound> found;
+  std::optional<BrokenBound> bound;
   for (std::size_t v = 0; v < reach_.size(); ++v) {
     if (pin_[v] < 0) continue;
     const double limit = needed * reach_[v];
@@ -292,10 +297,10 @@ std::optional<BrokenBound> Plausibility::look_at_reach(const Positions& position
         (positions.row(static_cast<Eigen::Index>(v)) - positions.row(pin_[v])).squaredNorm();
     if (!(square > worst * worst * limit * limit)) continue;
     worst = std::sqrt(square) / limit;
-    found = BrokenBound{
+    bound = BrokenBound{
         .bound = Bound::reach, .measured = std::sqrt(square), .limit = limit, .vertex = static_cast<int>(v)};
   }
-  return found;
+  return bound;
 }
 
 std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& positions,
@@ -303,7 +308,7 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
   if (driven_ || !energy_known_) return std::nullopt;
   Eigen::Index fastest = 0;
   const double square = velocities.rowwise().squaredNorm().maxCoeff(&fastest);
-  // Cloth that no pin holds falls on; a piece of it without a pin does, too.
+  // Cloth without a pin keeps falling; so does a piece of the mesh without a pin.
   double fall = scene_.rest.size() + fall_;
   const double highest = -(scene_.input.positions * scene_.down).minCoeff();
   fall += std::max(0.0, highest - -row(positions, fastest).dot(scene_.down));
@@ -317,8 +322,8 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
                      .vertex = static_cast<int>(fastest)};
 }
 
-// Elastic energy counts at the start only: the strain that iterations leave in a stiff membrane would count
-// as far more energy than the scene has.
+// Elastic energy counts only at the start. Later, the strain that iterations leave in a stiff membrane would
+// count as far more energy than the scene has.
 std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positions,
                                                         const Positions& velocities) const {
   if (driven_ || !energy_known_) return std::nullopt;
@@ -338,8 +343,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
       .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
 }
 
-// One rounding of a coordinate at the distance d changes a speed by ε d / h. Projections of at most four
-// points each add these up as a random walk does, and the mean over the vertices makes the sum small.
+// Rounding a coordinate at the distance d changes a speed by ε d / h. Projections move at most four points,
+// and their roundings add up like a random walk. The mean over the vertices makes the sum small.
 std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
                                                           const Positions& velocities) const {
   if (!free_ || !(time > 0)) return std::nullopt;
@@ -366,7 +371,7 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
   const double off = (velocity - velocity_at_start_ - time * gravity_).norm();
   if (off > speed_limit)
     return BrokenBound{.bound = Bound::momentum, .measured = off, .limit = speed_limit, .vertex = -1};
-  // A step increases v before it moves x, so that x gets g t h / 2 farther; h is at most dt.
+  // A step increases v before it moves x, so x gets farther by g t h / 2; h is at most dt.
   const double way_limit = speed_limit * time + 0.5 * fallen * solver.dt;
   const double way_off =
       (centre - centre_at_start_ - time * velocity_at_start_ - 0.5 * time * time * gravity_).norm();
@@ -394,7 +399,7 @@ void Plausibility::look_at_stretch(double time, double mean_strain,
   const double needed = needed_stretch(positions), stretch = static_cast<double>(recorded(*largest));
   const auto limit_passed = [&](double value, double limit, double lasting, Lasting& lasts) {
     const bool too_long = lasts.too_long(time, value > lasting);
-    return value > limit ? limit : too_long ? lasting : none;
+    return value > limit ? limit : too_long ? lasting : infinity;
   };
   const auto triangle = static_cast<Eigen::Index>(largest - stretches.begin());
   const int vertex = scene_.rest.triangles()(triangle, 0);

@@ -1,6 +1,6 @@
-// Whether a run is plausible: while it runs, it is checked against bounds that its scene cannot break,
-// whatever the settings of the solver are. `complete` says that a run went to its end; this says whether to
-// believe it.
+// Checks a run, while it is computed, against bounds that its scene cannot exceed, whatever the settings of
+// the solver are. The verdict `complete` says that a run reached its end. These checks say whether its result
+// can be believed.
 #pragma once
 
 #include <limits>
@@ -16,28 +16,28 @@ namespace bendlab {
 
 class Plausibility {
  public:
-  /// The limits that follow from the scene, which must outlive this.
+  /// Computes the limits from the scene, which must outlive this object.
   explicit Plausibility(const BuiltScene& scene);
 
   /// To be called after every step. Checks positions and velocities, but only after so many projections that
-  /// copying them costs less than 1 % of the time; with `always` it checks now, as at every recorded frame.
+  /// copying them costs less than 1 % of the time. With `always`, for recorded frames, it checks now.
   void look(const Simulation& simulation, bool always);
 
-  /// The same on values (#V by 3, m and m/s) at a time in s.
+  /// Checks positions (#V by 3, m) and velocities (#V by 3, m/s) at `time` (s).
   void look(double time, const Positions& positions, const Positions& velocities);
 
-  /// Checks what was measured of a frame; may run on another thread than look(). `stretches`: #T.
+  /// Checks the strain and the stretches (#T) of a recorded frame. May run on another thread than look().
   void look_at_stretch(double time, double mean_strain, std::span<const PrincipalStretches> stretches,
                        const Positions& positions);
 
-  /// Writes or reads what was seen so far; while no look is under way.
+  /// Writes or reads the state of the checks. Not to be called during a check.
   void archive(Archive& state);
 
-  /// The bound that was broken first, with advice. Not to be called while a check may be under way.
+  /// The bound that was broken first, with advice. Not to be called during a check.
   std::optional<BrokenBound> broken() const;
 
  private:
-  // A value may pass its lasting limit for a moment only: since when it has been above it.
+  // A value may exceed its lasting limit only for a moment. `since`: when it rose above the limit.
   struct Lasting {
     std::optional<double> since;  // s
     bool too_long(double time, bool above);
@@ -59,7 +59,7 @@ class Plausibility {
   std::optional<BrokenBound> look_at_energy(const Positions& positions, const Positions& velocities) const;
   std::optional<BrokenBound> look_at_momentum(double time, const Positions& positions,
                                               const Positions& velocities) const;
-  void keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
+  void keep(std::optional<BrokenBound>& kept, BrokenBound bound, double time,
             const Positions& positions) const;
 
   const BuiltScene& scene_;
@@ -67,17 +67,17 @@ class Plausibility {
   double mass_ = 0;                    // kg
   bool driven_ = false;                // wind, moving pins or obstacles do work on the cloth
   bool free_ = false;                  // nothing but gravity changes its momentum
-  bool energy_known_ = false;          // of the start
+  bool energy_known_ = false;          // whether the energy at the start is known
 
-  static constexpr double none = std::numeric_limits<double>::infinity();
-  double stretch_ = none, lasting_stretch_ = none;          // limits
-  double mean_strain_ = none, lasting_mean_strain_ = none;  // limits
-  std::vector<PinPair> pin_pairs_;                          // of moving pins
-  std::vector<int> pin_;                                    // #V, the nearest; -1: none
-  std::vector<double> reach_;                               // #V, m
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  double stretch_ = infinity, lasting_stretch_ = infinity;          // limits
+  double mean_strain_ = infinity, lasting_mean_strain_ = infinity;  // limits
+  std::vector<PinPair> pin_pairs_;                                  // empty if pins do not move
+  std::vector<int> pin_;                                            // #V, the nearest pin; -1: no pin
+  std::vector<double> reach_;                                       // #V, m, largest distance from that pin
   double fall_ = 0;             // m, how deep a vertex can fall before its pin holds it
-  double speed_at_start_ = 0;   // m/s, the fastest
-  double snap_ = 0;             // m/s, at which a slightly strained start pose may spring back
+  double speed_at_start_ = 0;   // m/s, of the fastest vertex
+  double snap_ = 0;             // m/s, speed at which a slightly strained start pose may spring back
   double energy_at_start_ = 0;  // J, kinetic and, where it is known, elastic
   double energy_scale_ = 0;     // J
   Vector3 velocity_at_start_, centre_at_start_;

@@ -62,11 +62,11 @@ void Recorder::archive(Archive& state) {
 void Recorder::take_earlier(const EarlierFrames& earlier) {
   const std::vector<MetricRecord> metrics = read_metrics(earlier.file);
   const auto values_of = [&](const std::string& name) -> const std::vector<double>& {
-    const auto found = std::ranges::find(metrics, name, [](const MetricRecord& m) { return m.column.name; });
-    if (found == metrics.end() || found->values.size() < earlier.frames)
+    const auto metric = std::ranges::find(metrics, name, [](const MetricRecord& m) { return m.column.name; });
+    if (metric == metrics.end() || metric->values.size() < earlier.frames)
       throw RunFileError(fmt::format("{}: it has fewer than {} values of '{}'", earlier.file.string(),
                                      earlier.frames, name));
-    return found->values;
+    return metric->values;
   };
   const auto count = static_cast<std::ptrdiff_t>(earlier.frames);
   times_.assign(values_of("time").begin(), values_of("time").begin() + count);

@@ -1,4 +1,4 @@
-// The frames of a run, and the measures that look at them.
+// Makes the frames of a run, and calls its measures.
 #pragma once
 
 #include <memory>
@@ -20,24 +20,25 @@ class Recorder {
   const std::vector<Column>& metrics() const { return columns_; }     ///< of Frame::metrics
   const std::vector<Column>& cell_fields() const { return fields_; }  ///< of Frame::cell_fields
 
-  /// Between steps, at time 0 and after each.
+  /// To be called at time 0 and after every step, between steps.
   void step(const Simulation& simulation, const Moment& moment);
 
-  /// A frame with time, positions and what needs more than these; between steps.
+  /// A frame with its time, its positions, and the metrics that need more than positions. To be called
+  /// between steps.
   Frame capture(const Simulation& simulation) const;
 
-  /// The rest of the frame, which the verdict sees too; on the writer's thread, one frame at a time, in
-  /// order.
+  /// Fills in the rest of the frame, and checks its plausibility. Runs on the writer's thread, one frame at a
+  /// time, in order.
   void complete(Frame& frame, Plausibility& plausibility);
 
-  /// Writes or reads what the measures keep between steps; all frames being complete. Their values of earlier
-  /// frames are in the run file: see take_earlier().
+  /// Writes or reads what the measures keep between steps, when all frames are complete. The metrics of
+  /// earlier frames are in the run file: see take_earlier().
   void archive(Archive& state);
-  /// Takes the values of the first frames of a run file.
+  /// Reads the metrics of the first frames of a run file.
   void take_earlier(const EarlierFrames& earlier);
 
-  /// To be called when all frames are complete: what was found by the measures that make other runs, or by
-  /// those that make none.
+  /// Findings of the measures that make other runs, or of all other measures. To be called when all frames
+  /// are complete.
   Findings findings(const RunEnd& end, bool of_those_that_make_runs);
 
   FrameHistory history() const { return {columns_, times_, rows_, has_motion_}; }
@@ -46,7 +47,7 @@ class Recorder {
   struct Active {
     const Measure* measure;
     std::unique_ptr<Measurement> measurement;
-    std::size_t column, columns, field, fields;  // its place in the frame, and how many it has
+    std::size_t column, columns, field, fields;  // first index and count in a frame
   };
 
   std::vector<Active> active_;
@@ -57,7 +58,7 @@ class Recorder {
   std::vector<std::vector<double>> rows_;  // metrics of the completed frames
 };
 
-/// Numbers that every run's summary has, of the scene and of what the solver did.
+/// Metrics of the scene and of the solver, which every run's summary has.
 std::map<std::string, double> facts_of(const BuiltScene& scene, const Simulation& simulation);
 
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "bendlab/solver/method.hpp"
@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-// Whether springs are longer at rest than their vertices are apart in the rest shape.
+// Whether any spring is longer at rest than the distance of its vertices in the rest shape.
 bool is_prestressed(const BuiltScene& scene) {
   constexpr double longer = 1.001;
   const DistanceConstraints& springs = scene.input.distance;
@@ -28,7 +28,7 @@ std::string remedies_for(Bound bound, const BuiltScene& scene) {
   const Method& method = scene.input.method;
   if (method.kind().remedies == nullptr) return "";
   const auto helps = [](const Effect& effect) { return effect.kind().helps_projection; };
-  const std::vector<std::string_view> texts = method.kind().remedies(
+  const std::vector<std::string> texts = method.kind().remedies(
       method.settings(), {.input = scene.input,
                           .fell_wrong = bound == Bound::momentum || bound == Bound::fall,
                           .single_precision = scene.precision == Precision::single_precision,

@@ -1,4 +1,4 @@
-// What helps a run that broke a bound or diverged, according to its method (MethodKind::remedies).
+// Remedies for a run that broke a bound or diverged, as its method states them (MethodKind::remedies).
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace bendlab {
 
-/// What helped in trials with the likely cause, with numbers; empty if nothing did, or if the scene has all
-/// of it already. For a cloth that diverged: Bound::finite.
+/// Remedies that helped in tests with the likely cause, with numbers. Empty if nothing helped, or if the
+/// scene has all remedies already. For a run that diverged: Bound::finite.
 std::string remedies_for(Bound bound, const BuiltScene& scene);
 
 }  // namespace bendlab

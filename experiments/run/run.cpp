@@ -31,7 +31,7 @@ void add_message(RunOutcome& outcome, const std::string& text) {
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
 }
 
-// A stopped run gets no verdict: it will be run again. A diverged run reports the broken bound, too.
+// A stopped run is not judged, because it will go on later. A diverged run also reports the broken bound.
 void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   if (!broken || outcome.status == RunStatus::interrupted) return;
   if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
@@ -39,8 +39,8 @@ void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   outcome.broken = std::move(broken);
 }
 
-// A run with a number that is not finite is not complete. (Measures leave out what is infinite by its
-// meaning.)
+// A run whose summary has a metric that is not finite is implausible. (Measures leave out metrics that are
+// infinite by their definition.)
 void judge_summary(double time, RunOutcome& outcome) {
   if (!is_whole(outcome.status)) return;
   std::vector<std::string> names;
@@ -54,7 +54,7 @@ void judge_summary(double time, RunOutcome& outcome) {
   if (!outcome.broken) outcome.broken = broken;
 }
 
-// Leaves out the effects that cannot act. Returns the scene as it was.
+// Removes the effects that cannot act from `scene`. Returns the scene with all effects.
 BuiltScene take_idle_effects_out(BuiltScene& scene) {
   BuiltScene whole = scene;
   const std::vector<std::size_t> idle = idle_effects(scene);
@@ -63,7 +63,7 @@ BuiltScene take_idle_effects_out(BuiltScene& scene) {
   return whole;
 }
 
-// What `minimal` left out, and whether that changed a bit.
+// The effects that `minimal` leaves out, and whether that changed a bit of the result.
 struct Comparison {
   std::string text;
   bool differs = false;
@@ -72,19 +72,20 @@ Comparison compare_to_whole(const Simulation& minimal, const BuiltScene& whole) 
   std::vector<std::string> names;
   for (const std::size_t index : idle_effects(whole))
     names.push_back(fmt::format("/effects/{} ({})", index, whole.effects[index].name()));
-  if (names.empty()) return {"minimal: every listed effect may act, none was left out"};
+  if (names.empty()) return {"minimal: every listed effect may act, so no effect was left out"};
   const std::unique_ptr<Simulation> simulation = simulation_of(whole);
   while (simulation->time() < minimal.time())
     if (!simulation->step()) break;
   const bool same =
       simulation->positions() == minimal.positions() && simulation->velocities() == minimal.velocities();
   return {
-      fmt::format("minimal: left out {}; positions and velocities at t = {:.6g} s are {} bits as with them",
-                  fmt::join(names, ", "), minimal.time(), same ? "the same" : "NOT THE SAME"),
+      fmt::format(
+          "minimal: left out {}; positions and velocities at t = {:.6g} s have {} bits as with all effects",
+          fmt::join(names, ", "), minimal.time(), same ? "the same" : "NOT THE SAME"),
       !same};
 }
 
-// Runs another run that a measure needs below `folder`, or finds it made.
+// Computes another run that a measure needs, below `folder`, or reads it if it is complete.
 OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
                         const std::filesystem::path& folder, const RunControl& control) {
   Experiment experiment;
@@ -103,11 +104,12 @@ void add_findings(Findings findings, RunOutcome& outcome) {
   if (!findings.stopped) return;
   outcome.status = RunStatus::interrupted;
   add_message(outcome,
-              "stopped before it was compared with its references; the same command again does it all");
+              "stopped before it was compared with its references; run the same command again to do so");
 }
 
-// An equilibrium's bits depend on the kernels that the BLAS chose for the processor, and so do those of a run
-// that begins at one, or is compared with one. All else has the same bits on every processor.
+// The bits of an equilibrium depend on the kernels that the BLAS chose for the processor. So do the bits of a
+// run that starts at an equilibrium, or that is compared with an equilibrium. All other runs have the same
+// bits on every processor.
 bool depends_on_blas(const RunConfig& config) {
   if (!config.scene().solver.method.kind().has_motion) return true;
   if (const std::optional<RunConfig> before = run_before(config); before && depends_on_blas(*before))
@@ -116,25 +118,24 @@ bool depends_on_blas(const RunConfig& config) {
     for (const bool coarser : {false, true}) try {
         const std::optional<RunConfig> reference = reference_of(config, against, coarser);
         if (reference && depends_on_blas(*reference)) return true;
-      } catch (const ConfigError&) {  // told when it is needed
+      } catch (const ConfigError&) {  // reported when the reference is needed
       }
   return false;
 }
 
-// They are no part of a run's id, so that a plan is the same on every machine: their results agree but for
-// rounding. That the bits may be others is told.
-RunOutcome reused(const Found& found, const RunConfig& config) {
-  RunOutcome outcome = *found.over;
-  if (found.blas_kernels != blas_kernels() && depends_on_blas(config))
-    add_message(
-        outcome,
-        fmt::format("reused with the bits that the BLAS kernels for {} gave it; --force computes it "
-                    "with those for {}, which are this machine's",
-                    found.blas_kernels.empty() ? "another processor" : found.blas_kernels, blas_kernels()));
+// BLAS kernels are not part of a run's id, so that a plan is the same on every machine. Their results differ
+// only by rounding. A message says if the bits may differ.
+RunOutcome reused(const Found& existing, const RunConfig& config) {
+  RunOutcome outcome = *existing.over;
+  if (existing.blas_kernels != blas_kernels() && depends_on_blas(config))
+    add_message(outcome,
+                fmt::format("reused, although it was computed with the BLAS kernels for {}; --force computes "
+                            "it again with the kernels of this machine, for {}",
+                            existing.blas_kernels.empty() ? "another processor" : existing.blas_kernels,
+                            blas_kernels()));
   return outcome;
 }
 
-// What the file says at its end.
 RunFooter footer_of(const RunOutcome& outcome, const RunClock& clock) {
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
@@ -212,11 +213,11 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary, outcome.status});
   if (!place.claim->holds())
     throw RunFileError(
-        fmt::format("{}: another process took this run over, because this one was silent for too long; its "
-                    "result counts",
+        fmt::format("{}: another process took this run over, because this process gave no sign of life for "
+                    "too long; the other result counts",
                     place.file.string()));
   if (place.keeps_file && outcome.status == RunStatus::interrupted)
-    add_message(outcome, "stopped; the file that was there is kept");
+    add_message(outcome, "stopped; the earlier file is kept");
   else
     writer.finish(footer_of(outcome, clock));
   return outcome;
@@ -238,7 +239,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   place.folder = run_folder(out, experiment, config, place.id);
   place.file = place.folder / "run.vtkhdf";
   if (!control.force)
-    if (const Found found = look_for(place.file, place.id); found.over) return reused(found, config);
+    if (const Found existing = look_for(place.file, place.id); existing.over) return reused(existing, config);
   make_folder(place.folder);
   place.claim = Claim::of(place.folder, {.give_up = [&] { return control.stop && control.stop->load(); },
                                          .when_owned = control.when_owned,
@@ -247,11 +248,11 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     return {.id = place.id, .status = RunStatus::running, .left = true, .file = place.file};
   if (!place.claim) return stopped_while_waiting(place);
   if (!control.force) adopt_finished(place);
-  const Found found = look_for(place.file, place.id);  // another process may have made it meanwhile
-  if (found.over && !control.force) return reused(found, config);
+  const Found existing = look_for(place.file, place.id);  // another process may have computed it meanwhile
+  if (existing.over && !control.force) return reused(existing, config);
   const std::string note =
-      found.wrong.empty() ? "" : set_aside(place.file, found.wrong, place.claim->token());
-  place.keeps_file = found.over.has_value();
+      existing.wrong.empty() ? "" : set_aside(place.file, existing.wrong, place.claim->token());
+  place.keeps_file = existing.over.has_value();
   place.part = fmt::format("{}.{}.part", place.file.string(), place.claim->token());
   const std::vector<std::filesystem::path> left = unfinished_files(place.folder);
   if (!control.force) find_checkpoint(place);
@@ -267,11 +268,11 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     }
   }();
   for (const std::filesystem::path& file : left) remove_abandoned(file);
-  if (place.keeps_file) remove_abandoned(place.part);  // it is there if the run was stopped
+  if (place.keeps_file) remove_abandoned(place.part);  // exists if the run was stopped
   if (outcome.status != RunStatus::interrupted || place.keeps_file) remove_checkpoint(place.folder);
   add_message(outcome, note);
   if (!place.saved && !place.lost.empty())
-    add_message(outcome, "began again at its start, because earlier frames can't be used: " + place.lost);
+    add_message(outcome, "began again from its start, because earlier frames can't be used: " + place.lost);
   return outcome;
 }
 

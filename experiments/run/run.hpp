@@ -1,4 +1,5 @@
-// One run: a point of a sweep, from its config to its file. Knows no command line and prints nothing.
+// Executes one run (a point of a sweep), from its config to its file. Knows no command line and prints
+// nothing.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +11,14 @@
 
 namespace bendlab {
 
-/// Computes a run, or reads it if it is complete. While it is computed its folder is claimed (claim.hpp): who
-/// comes second waits, and finds it complete. A file that was changed, or is another run's, is set aside. A
-/// run that was stopped, killed, or lost its power goes on from its last checkpoint, and gives the same bits.
+/// Computes a run, or reads its file if the run is complete. While this process computes, it claims the run's
+/// folder (claim.hpp): a second process waits until the run is complete. A file that was changed, or that
+/// belongs to another run, is set aside. A run that was stopped or killed, or whose machine lost power, goes
+/// on from its last checkpoint, and gives the same bits.
 ///
-/// With config.starts_at_end_of it starts from `start`. The references that it is compared with are made
-/// below <out>/<experiment>; their time is not the run's. Throws MeshError, RunFileError, and
-/// NoRoom before anything is allocated; a run that diverges is an outcome.
+/// With config.starts_at_end_of the run starts from `start`. The references of the run are computed below
+/// <out>/<experiment>; their time does not count as the run's. Throws MeshError, RunFileError, and NoRoom
+/// before anything is allocated. A run that diverges is no error, but an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

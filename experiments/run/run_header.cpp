@@ -24,7 +24,7 @@
 namespace bendlab {
 namespace {
 
-// The constraint's own softness; null where this kind has none, or all have the same.
+// The constraint's own softness; null if this kind has no softness, or the same for all constraints.
 template <class List>
 const double* softness_of(const List& list, std::size_t constraint) {
   if constexpr (requires { list.softness; })
@@ -33,9 +33,10 @@ const double* softness_of(const List& list, std::size_t constraint) {
     return nullptr;
 }
 
-// Vertices, rest values (`rest_of`: an array of each constraint's) and softness, where the list has one, in
-// the order the solver projects them (padded lanes left out). Hashed one by one: a copy of millions of
-// springs would be the largest thing in memory. `hashed_of`: the rest values that the hash takes.
+// Records the vertices, rest values and softness (if the list has it) of every constraint, in the order in
+// which the solver projects them, without padded lanes. `rest_of` and `hashed_of` give a constraint's rest
+// values as an array: the values to record, and the values to hash. Constraints are hashed one by one,
+// because a copy of millions of springs would be the largest object in memory.
 template <class List, class RestOf, class HashedOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
                            RestOf rest_of, HashedOf hashed_of) {
@@ -68,7 +69,7 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   return record_of(kind, list, order, in_full, rest_of, rest_of);
 }
 
-// In the order of the list; their rest values are the function's own.
+// Records elements in the order of the list. Their rest values belong to their function and are not recorded.
 ConstraintRecord record_of(const OwnElements& own, bool in_full) {
   const std::string_view vertices(reinterpret_cast<const char*>(own.vertices.data()),
                                   own.vertices.size() * sizeof(int));
@@ -100,10 +101,10 @@ std::vector<ObstacleRecord> obstacles_of(const BuiltScene& scene) {
   return records;
 }
 
-// Units and meanings of the numbers that the run may have in its summary and in its settings.
+// Units and meanings of the metrics that the run's summary may have, and of the run's settings.
 Json about(const RunConfig& config, const BuiltScene& scene) {
   Json summary = Json::object(), settings = Json::object();
-  const auto add = [&](const Column& number) { summary[number.name] = {number.unit, number.meaning}; };
+  const auto add = [&](const Column& metric) { summary[metric.name] = {metric.unit, metric.meaning}; };
   std::ranges::for_each(numbers_of_scene(), add);
   for (const Measure* measure : measures())
     if (applies(*measure, config, scene)) std::ranges::for_each(measure->gives(), add);

@@ -1,4 +1,4 @@
-// What a run's file says before the first frame: mesh, pins, constraints with their hashes, provenance.
+// The part of a run file before the first frame: mesh, pins, constraints with their hashes, provenance.
 #pragma once
 
 #include <string>

@@ -17,8 +17,8 @@
 namespace bendlab {
 namespace {
 
-// What tells versions of the added kinds that a run has apart. Whether a measure applies is known only when
-// there is a scene: here it counts if it may.
+// A text that differs between versions of the added kinds of a run. Whether a measure applies is known only
+// once there is a scene. Here a measure counts if it may apply.
 std::string code_of_added_kinds(const RunConfig& config) {
   static const std::string program = "of this program";
   std::string codes;
@@ -46,7 +46,7 @@ std::string bytes_of(const NamedFile& file) try {
                                  file.path.string(), error.what(), file.pointer));
 }
 
-// "mesh/cells" → "cells", values without quotes; what a folder's name can't hold becomes '_'.
+// "mesh/cells" → "cells", values without quotes; characters that a folder's name can't hold become '_'.
 std::string readable_place(const RunConfig& config) {
   std::string place;
   for (const auto& [pointer, value] : config.point) {
@@ -55,19 +55,19 @@ std::string readable_place(const RunConfig& config) {
   }
   for (char& c : place)
     if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("=,.-_", c)) c = '_';
-  constexpr std::size_t longest = 120;  // well within a file system's 255 bytes, with the id behind it
+  constexpr std::size_t longest = 120;  // with the id appended, well within a file system's 255 bytes
   return place.substr(0, longest);
 }
 
-// The id of a run that another one needs. Throws RunFileError that names the setting which asks for it.
+// The id of a run that another run needs. Throws a RunFileError that names the setting which asks for it.
 std::string id_of_other(const RunConfig& other, const std::string& pointer) try {
   return run_id(other);
 } catch (const RunFileError& error) {
   throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
 }
 
-// The summary has errors against a reference, so another reference makes another run. Wrong settings of the
-// reference are reported when it is needed.
+// The summary has errors against a reference, so a run with another reference is another run. Wrong settings
+// of the reference are reported when the reference is needed.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
   return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";

@@ -3,8 +3,8 @@
 namespace bendlab {
 
 std::string provenance_text(const RunRecord& run, const std::string& name, const std::string& absent) {
-  const auto found = run.provenance.find(name);
-  return found == run.provenance.end() ? absent : found->second;
+  const auto text = run.provenance.find(name);
+  return text == run.provenance.end() ? absent : text->second;
 }
 
 Json provenance_json(const RunRecord& run, const std::string& name) {

@@ -8,10 +8,10 @@
 
 namespace bendlab {
 
-/// A text of the run's provenance; `absent` if there is none of that name.
+/// The text `name` of the run's provenance; `absent` if there is no such text.
 std::string provenance_text(const RunRecord& run, const std::string& name, const std::string& absent = "");
 
-/// The JSON that such a text is; null if it is none.
+/// The text `name` of the run's provenance, parsed as JSON; null if there is no such text, or it is not JSON.
 Json provenance_json(const RunRecord& run, const std::string& name);
 
 }  // namespace bendlab

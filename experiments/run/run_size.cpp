@@ -12,10 +12,11 @@
 namespace bendlab {
 namespace {
 
-constexpr int counted_whole = 2000;    // vertices; of more the constraints are sampled
+constexpr int counted_whole = 2000;    // vertices; on a larger mesh the constraints are sampled
 constexpr double large_patch = 10000;  // vertices
 
-// A patch of the mesh with half as many edges along it, as long as before. Nothing if that would be too few.
+// A patch of the mesh with half as many edges along its sides, of the same length. Nothing if these would be
+// too few.
 std::optional<Mesh> half(Mesh mesh) {
   constexpr int fewest_cells = 16;
   const double scale = mesh.scale;
@@ -40,18 +41,19 @@ Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
   return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
 }
 
-// If the whole mesh were like the patch. `whole`: how many times as long as the patch it is.
+// The size of the whole mesh if all of it were like the patch. `whole`: length of the mesh over length of the
+// patch.
 RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   const RestMesh rest(rest_mesh_of(patch, scene.folder).mesh);
-  const int stride =
-      rest.vertex_count() > counted_whole ? 17 : 1;  // a prime: rows of few grids are multiples
+  // A prime, because few grids have rows of a multiple of it.
+  const int stride = rest.vertex_count() > counted_whole ? 17 : 1;
   const BendingConstraints built =
       constraints_of(scene.bending.model, {rest, pins_of(scene.pins, rest), whole * rest.size(), stride});
   RunSize size{.vertices = whole * whole * rest.vertex_count(),
                .triangles = whole * whole * rest.triangle_count(),
                .size = whole * rest.size(),
                .mean_edge = rest.mean_edge_length()};
-  // Models of springs build those of every stride-th vertex; others build all.
+  // Spring models build only the springs of every stride-th vertex; other models build all constraints.
   bool is_sample = true;
   const auto look_at = [&](const auto& list) {
     for (const auto& vertices : list) is_sample = is_sample && vertices.front() % stride == 0;
@@ -85,14 +87,14 @@ RunSize size_of(const Scene& scene, Mesh mesh) {
   std::vector<Mesh> patches{mesh};
   while (const std::optional<Mesh> next = half(patches.back())) patches.push_back(*next);
   std::optional<RunSize> smaller, size;
-  double share = 0;  // of the whole mesh's length
+  double share = 0;  // length of the patch over length of the mesh
   while (!patches.empty() && !(size && share * share * size->vertices > large_patch)) {
     share = patches.back().scale / mesh.scale;
     smaller = size, size = size_by(scene, patches.back(), 1 / share);
     patches.pop_back();
   }
-  // On a patch half as long, the border has twice the share of everything. On the whole mesh it has less than
-  // on the patch.
+  // The border of a patch half as long has twice the share of all counts. On the whole mesh its share is
+  // smaller than on the patch.
   if (smaller)
     for (double RunSize::*amount : {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints,
                                     &RunSize::pairs, &RunSize::list_bytes, &RunSize::numbers})
@@ -104,7 +106,7 @@ RunSize size_of(const Scene& scene, Mesh mesh) {
 
 std::optional<RunSize> size_of(const RunConfig& config) {
   static std::mutex mutex;
-  static std::map<std::string, std::optional<RunSize>> known;  // by the settings that decide it
+  static std::map<std::string, std::optional<RunSize>> known;  // key: the settings that decide the size
   const Json& settings = config.resolved();
   const std::string model = settings.at("bending").at("model");
   Json deciding = {settings.at("mesh"), settings.at("pins"), model,

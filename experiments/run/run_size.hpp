@@ -1,4 +1,4 @@
-// How large a run is: counted on its mesh, or on a patch of it where that is large.
+// How large a run is: counted on its mesh, or estimated from a patch if the mesh is large.
 #pragma once
 
 #include <optional>
@@ -7,22 +7,22 @@
 
 namespace bendlab {
 
-/// Of the rest mesh and of the bending constraints on it. Numbers of a large mesh are estimates, near enough
-/// for forecasts.
+/// Sizes of the rest mesh and of the bending constraints on it. For a large mesh they are estimates, good
+/// enough for forecasts.
 struct RunSize {
   double vertices = 0, triangles = 0;
   double size = 0;         ///< m, diagonal of the rest box
   double mean_edge = 0;    ///< m
-  double constraints = 0;  ///< of bending
-  double pairs = 0;        ///< those of them that join two vertices
-  double reach = 0;        ///< mean length of these pairs, in mean edges
-  double list_bytes = 0;   ///< of the constraints' lists
-  double numbers = 0;      ///< that the solver keeps for the constraints: indices, rest values
+  double constraints = 0;  ///< bending constraints
+  double pairs = 0;        ///< bending constraints that join two vertices
+  double reach = 0;        ///< mean length of these pairs, in mean edge lengths
+  double list_bytes = 0;   ///< memory of the constraint lists
+  double numbers = 0;      ///< count of indices and rest values that the solver keeps for all constraints
 };
 
-/// Makes the mesh and the bending model's constraints if that is cheap. Of a larger mesh it makes a patch,
-/// with edges as long, and a sample of the constraints. Remembers what it counted. Nothing for a mesh that
-/// cannot be made: the run itself says why.
+/// Builds the mesh and the bending model's constraints if that is cheap. For a larger mesh it builds a patch
+/// with the same edge length, and a sample of the constraints. Results are cached. Returns nothing if the
+/// mesh cannot be made: the run itself says why.
 std::optional<RunSize> size_of(const RunConfig& config);
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// Warnings about what is simulated.
+// Warnings about the scene.
 #include "experiments/run/warning_messages.hpp"
 
 #include <fmt/format.h>
@@ -30,8 +30,8 @@ Message piece_without_pin(const WarningInput& input) {
   }
   if (loose == 0) return std::nullopt;
   return fmt::format(
-      "pieces of the mesh with {} of its {} vertices (the first is vertex {}) have no pin, while others "
-      "have: they will fall away. Pin each piece, or join them ('bendlab mesh FILE' counts the pieces)",
+      "pieces of the mesh without a pin will fall away: they have {} of its {} vertices (the first is vertex "
+      "{}). Pin each piece, or join the pieces ('bendlab mesh FILE' counts them)",
       loose, rest.vertex_count(), first);
 }
 
@@ -53,15 +53,15 @@ Message effect_without_pins(const WarningInput& input) {
 Message friction_without_obstacle(const WarningInput& input) {
   const std::vector<Effect>& effects = input.scene.effects;
   const auto friction =
-      std::ranges::find_if(effects, [](const Effect& each) { return each.kind().uses_contacts; });
+      std::ranges::find_if(effects, [](const Effect& effect) { return effect.kind().uses_contacts; });
   if (friction == effects.end() || has_obstacle(input.scene)) return std::nullopt;
-  return fmt::format("/effects/{} ({}) does nothing, because it acts on obstacles and there is none",
+  return fmt::format("/effects/{} ({}) does nothing, because it acts on obstacles and there is no obstacle",
                      friction - effects.begin(), friction->name());
 }
 
 // ---- doubtful_effect
 
-// What an effect itself says of its settings in this scene; the largest of them.
+// An effect checks its own settings in this scene (EffectKind::doubt). The largest doubt becomes the warning.
 Message doubtful_effect(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const std::vector<double>& areas = input.scene.rest.areas();
@@ -91,10 +91,11 @@ Message starts_inside(const WarningInput& input) {
     const std::optional<Inside> inside = inside_at_start(input.scene, index);
     if (!inside || inside->count == 0) continue;
     return WarningText(
-        fmt::format("{} of {} vertices start inside /effects/{} ({}), vertex {} by {:.3g} m: the first step "
-                    "throws them out. Move the obstacle, or the cloth by /mesh/offset",
-                    inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].name(),
-                    inside->deepest, inside->depth),
+        fmt::format(
+            "{} of {} vertices start inside /effects/{} ({}), and vertex {} is {:.3g} m deep: the first step "
+            "throws these vertices out. Move the obstacle, or move the cloth by /mesh/offset",
+            inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].name(),
+            inside->deepest, inside->depth),
         inside->depth, fmt::format("{:.3g} m", inside->depth));
   }
   return std::nullopt;
@@ -104,8 +105,8 @@ Message starts_inside(const WarningInput& input) {
 
 namespace {
 
-// Edges of cloth that was made finer in places differ by some tens; a vertex that a slip of the mouse or a
-// wrong digit moved away is much farther.
+// Edge lengths of cloth that is finer in places differ by a factor of some tens. A vertex that was moved by a
+// slip of the mouse or a wrong digit is much farther away.
 constexpr double far = 200;  // times the median edge
 
 }  // namespace
@@ -127,12 +128,12 @@ Message far_vertex(const WarningInput& input) {
   if (lengths.empty()) return std::nullopt;
   const double median = upper_median(lengths);
   if (!(longest > far * median)) return std::nullopt;
-  // Of the two the one that is farther from all.
+  // The warning names the vertex that is farther from the centre.
   const auto from_centre = [&](int v) { return (positions.row(v).transpose() - rest.centre()).norm(); };
   if (from_centre(other) > from_centre(vertex)) std::swap(vertex, other);
   return fmt::format(
-      "vertex {} lies {:.3g} m from its neighbour {}, {:.2g} times as far as the median edge is long: is it "
-      "where it should be? 'bendlab mesh FILE' tells about the mesh",
+      "vertex {} lies {:.3g} m from its neighbour {}, which is {:.2g} times the median length of an edge: is "
+      "the vertex where it should be? 'bendlab mesh FILE' describes the mesh",
       vertex, longest, other, longest / median);
 }
 
@@ -142,9 +143,9 @@ Message all_pinned(const WarningInput& input) {
   const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
   if (input.scene.pins.all.size() != vertices) return std::nullopt;
   return fmt::format(
-      "all {} vertices are pinned, so that nothing can move. /pins/vertices names places in the x-y plane of "
-      "the mesh's box: for a mesh that stands upright choose others, or use /pins/indices. A smaller "
-      "/pins/ring or /pins/distance pins fewer",
+      "all {} vertices are pinned, so nothing can move. /pins/vertices names places in the x-y plane of the "
+      "mesh's box: for a mesh that stands upright choose other places, or use /pins/indices. A smaller "
+      "/pins/ring or /pins/distance pins fewer vertices",
       vertices);
 }
 
@@ -152,27 +153,27 @@ Message all_pinned(const WarningInput& input) {
 
 namespace {
 
-// Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for
-// 6 m. Clothes and curtains lie between; a mesh in mm or cm that is read in m does not. Gravity weaker than
-// the Earth's is a choice, and says nothing about units.
+// Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for 6
+// m. Clothes and curtains lie between these lengths; a mesh in mm or cm that is read in m does not. Gravity
+// weaker than the Earth's is a choice, and says nothing about units.
 constexpr double shortest_time = 0.03, longest_time = 0.8;      // s
 constexpr double weakest_gravity = 9, strongest_gravity = 100;  // m/s²; Earth's in cm/s² is 981
 // kg/m²: gauze has 0.02, a heavy carpet 4, a film of plastic of 1 µm 0.001.
 constexpr double lightest = 0.001, heaviest = 10;
 // A membrane that its own weight stretches to twice its length is no cloth; rubber of 0.1 mm has 100 N/m.
 constexpr double most_strain = 1;
-// Of the extent: a sheet that stands out by itself five times as far as it is long is a board. Paper of 0.2 m
-// has 0.5, a steel sheet of 1 mm and 1 m has 0.6.
+// Bending length over extent. A sheet that could stand out by itself five times as far as it is long is a
+// board. Paper 0.2 m long has 0.5; a steel sheet 1 mm thick and 1 m long has 0.6.
 constexpr double longest_bending_length = 5;
 
-// A stiffness that does not fit the weight of the cloth. `load` is the weight per area, N/m².
+// The warning about a stiffness that does not fit the weight of the cloth. `load`: weight per area, N/m².
 std::optional<std::string> odd_stiffness(const WarningInput& input, double load, double extent) {
   const StrainStiffness& strain = input.scene.input.strain_stiffness;
   const double weight_strain =
       strain.kind == StiffnessKind::compliance ? strain.compliance * load * extent : 0;
   if (weight_strain > most_strain)
     return fmt::format(
-        "a membrane of {:.3g} N/m is stretched to {:.2g} times its length by the cloth's own weight: is "
+        "the cloth's own weight stretches a membrane of {:.3g} N/m to {:.2g} times its length: is "
         "/material/strain in other units? A thin cotton has about 1e4 N/m",
         1 / strain.compliance, 1 + weight_strain);
   const Bending& bending = input.config.scene().bending;
@@ -180,9 +181,9 @@ std::optional<std::string> odd_stiffness(const WarningInput& input, double load,
   const double rigidity = *bending.flexural_rigidity, length = std::cbrt(rigidity / load);
   if (!(length > longest_bending_length * extent)) return std::nullopt;
   return fmt::format(
-      "with a flexural rigidity of {:.3g} N m gravity cannot bend this sheet: it would stand out by itself "
-      "over {:.2g} m, and is {:.2g} m long. Is it in other units? A light cotton has 1e-5 N m; 1 gf cm²/cm "
-      "is 9.8e-5 N m",
+      "with a flexural rigidity of {:.3g} N m, gravity cannot bend this sheet: it would stand out by itself "
+      "over {:.2g} m, but is only {:.2g} m long. Is the rigidity in other units? A light cotton has 1e-5 N "
+      "m; 1 gf cm²/cm is 9.8e-5 N m",
       rigidity, length, extent);
 }
 
@@ -209,9 +210,10 @@ Message units(const WarningInput& input) {
   if (!(g >= weakest_gravity)) return std::nullopt;
   if (time < shortest_time || time > longest_time)
     return fmt::format(
-        "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
+        "the cloth is {:.3g} m long ({}), and gravity is {:.3g} m/s²: is the mesh in other units? "
         "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
-        extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
+        extent,
+        time > longest_time ? "as long as a theatre's curtain, or longer" : "shorter than a fingertip", g);
   return odd_stiffness(input, density * g, extent);
 }
 

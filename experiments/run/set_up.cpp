@@ -10,7 +10,8 @@
 namespace bendlab {
 namespace {
 
-// The pose in which a run ends is not known yet. The one in which it starts has the same mesh.
+// Lets `scene` start after the run before it, whose last pose is not known yet. The start pose of that run
+// stands in for it, because it has the same mesh.
 void start_after_unknown(const RunConfig& config, BuiltScene& scene) {
   const std::optional<RunConfig> before = run_before(config);
   if (!before) return;

@@ -1,4 +1,4 @@
-// All that a run has before its first step, without the steps: what a run refuses is refused here.
+// Sets up a run without stepping it, so that an error before its first step is found here.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 namespace bendlab {
 
 /// Builds scene, bending, effects, measures and method of a run, and of the runs before it (/initial/after).
-/// Gives the warnings that are known then. Throws what the run would before its first step.
+/// Returns the warnings that are known then. Throws the errors that the run would throw before its first
+/// step.
 std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& config);
 
 /// The settings that set_up() depends on, as text: runs with the same text are built alike.

@@ -1,4 +1,4 @@
-// Warnings about settings that do nothing, or not what the config says.
+// Warnings about settings that are unread, or that a swept object replaces.
 #include "experiments/run/warning_messages.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +17,8 @@ namespace bendlab {
 
 namespace {
 
-// null is the default, and chooses nothing.
-bool gives(const Json& settings, const std::string& pointer) {
+// Whether the settings have a value at `pointer`. null stands for the default, and chooses nothing.
+bool has_value(const Json& settings, const std::string& pointer) {
   const Json* const value = value_at(settings, pointer);
   return value != nullptr && !value->is_null();
 }
@@ -26,17 +26,18 @@ bool gives(const Json& settings, const std::string& pointer) {
 }  // namespace
 
 bool is_chosen(const WarningInput& input, const std::string& pointer) {
-  if (gives(input.experiment.settings, pointer)) return true;
+  if (has_value(input.experiment.settings, pointer)) return true;
   for (const auto& [swept, value] : input.config.point) {
     if (swept == pointer && !value.is_null()) return true;
-    if (lies_within(pointer, swept) && gives(value, pointer.substr(swept.size()))) return true;
+    if (lies_within(pointer, swept) && has_value(value, pointer.substr(swept.size()))) return true;
   }
   return false;
 }
 
 namespace {
 
-// Whether other runs follow from this one's settings, which may use what this one does not.
+// Whether other runs follow from the settings of this run. They may read settings that this run does not
+// read.
 bool has_derived_runs(const RunConfig& config) {
   return config.scene().initial.after || config.settings().accuracy.compares();
 }
@@ -50,8 +51,9 @@ Message inert_seed(const WarningInput& input) {
     const std::string pointer = child_pointer(part.pointer, "seed");
     if (seed == nullptr || seed->is_read(&input.config.scene()) || !is_chosen(input, pointer)) continue;
     return fmt::format(
-        "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", pointer,
-        pointer == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter use it"
+        "{} changes nothing here: runs that differ only in this seed are equal, and their spread is 0. {}",
+        pointer,
+        pointer == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter read it"
                                 : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
   }
   return std::nullopt;
@@ -61,15 +63,16 @@ Message inert_seed(const WarningInput& input) {
 
 namespace {
 
-// The choice that decides whether a setting is read; empty: there is none.
+// Pointer of the choice that decides whether a setting is read; empty if there is no such choice.
 std::string_view decider_of(const Section& section, const Field& field) {
   if (!field.depends_on.empty()) return field.depends_on;
   if (section.pointer == "/solver" || section.pointer == "/material/strain") return "/solver/method";
   return section.pointer.starts_with("/bending/") ? "/bending/model" : "";
 }
 
-// The settings that the config gives, and that nothing reads because of that choice. None if the choice is
-// swept: other runs may use them. Settings of another method or model are left out of the resolved config.
+// The settings that the config gives, but that are unread because of the choice `decider`. Empty if that
+// choice is swept, because other runs may read the settings. The resolved config leaves out settings of
+// another method or model.
 std::vector<std::string> unread(const WarningInput& input, std::string_view decider) {
   std::vector<std::string> pointers;
   if (std::ranges::any_of(input.experiment.axes,
@@ -94,12 +97,12 @@ std::string choice_at(const WarningInput& input, const char* pointer) {
 
 }  // namespace
 
-// A number that the config's kind of stiffness does not use.
+// A stiffness that the chosen kind of stiffness does not read.
 Message inert_stiffness(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   for (const char* kind : {"/bending/stiffness", "/material/strain/stiffness"})
     if (const std::vector<std::string> pointers = unread(input, kind); !pointers.empty())
-      return fmt::format("{} changes nothing here, because {} is {}. Set that to {}, or remove the number",
+      return fmt::format("{} changes nothing here, because {} is {}. Choose {} there, or remove the setting",
                          pointers.front(), kind, choice_at(input, kind),
                          fmt::join(choices_that_read(*find_setting(Json(), pointers.front())), " or "));
   return std::nullopt;
@@ -108,7 +111,8 @@ Message inert_stiffness(const WarningInput& input) {
 Message inert_setting(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   constexpr std::array<std::array<const char*, 2>, 3> causes = {{
-      {"/solver/method", "the method {} does not read {} ('bendlab methods' says what each reads)"},
+      {"/solver/method",
+       "the method {} does not read {} ('bendlab methods' lists the settings of each method)"},
       {"/mesh/generator", "the generator {} does not read {}"},
       {"/bending/model", "/bending/model is {}"},
   }};
@@ -127,24 +131,24 @@ Message inert_setting(const WarningInput& input) {
 
 namespace {
 
-// Adds the settings that `stated` has, but not `value`, which takes its place. Left out are those whose value
-// in force is the stated one all the same.
+// Adds the settings of the object `stated` that are missing in `value`, which replaces that object. Leaves
+// out a setting whose resolved value equals its stated value all the same.
 void add_replaced(const Json& resolved, const std::string& pointer, const Json& stated, const Json& value,
                   std::vector<std::string>& replaced) {
   for (const auto& [key, setting] : stated.items()) {
     const std::string place = child_pointer(pointer, key);
-    const auto found = value.find(key);
-    const Json* const now = value_at(resolved, place);
-    if (found == value.end() && now != nullptr && *now != setting)
+    const auto swept = value.find(key);
+    const Json* const in_force = value_at(resolved, place);
+    if (swept == value.end() && in_force != nullptr && *in_force != setting)
       replaced.push_back(place);
-    else if (found != value.end() && setting.is_object() && found->is_object())
-      add_replaced(resolved, place, setting, *found, replaced);
+    else if (swept != value.end() && setting.is_object() && swept->is_object())
+      add_replaced(resolved, place, setting, *swept, replaced);
   }
 }
 
 }  // namespace
 
-// A swept object takes the place of the config's own.
+// A swept object replaces the object of the config.
 Message replaced_setting(const WarningInput& input) {
   std::vector<std::string> replaced, by;
   for (const auto& swept : input.config.point) {
@@ -153,21 +157,21 @@ Message replaced_setting(const WarningInput& input) {
     const Json* const stated = value_at(input.experiment.settings, pointer);
     const bool of_no_model = pointer == "/bending" && !input.config.scene().bending.model.kind().bends;
     if (stated == nullptr || !stated->is_object() || !value.is_object() || of_no_model) continue;
-    std::vector<std::string> here;
-    add_replaced(input.config.resolved(), pointer, *stated, value, here);
-    // What another axis sweeps within the object is meant to be another value.
-    std::erase_if(here, [&](const std::string& place) {
+    std::vector<std::string> in_object;
+    add_replaced(input.config.resolved(), pointer, *stated, value, in_object);
+    // A setting in the object that another axis sweeps is meant to change.
+    std::erase_if(in_object, [&](const std::string& place) {
       return std::ranges::any_of(input.config.point, [&](const auto& axis) {
         return axis.first != pointer && lies_within(axis.first, pointer) && lies_within(place, axis.first);
       });
     });
-    if (!here.empty()) by.push_back(pointer);
-    replaced.insert(replaced.end(), here.begin(), here.end());
+    if (!in_object.empty()) by.push_back(pointer);
+    replaced.insert(replaced.end(), in_object.begin(), in_object.end());
   }
   if (replaced.empty()) return std::nullopt;
   return fmt::format(
-      "the config states {}, but each value of the sweep of {} takes the place of the whole object. State it "
-      "in each swept object, or sweep single settings",
+      "the config states {}, but sweeping {} replaces the whole object. State the settings in each swept "
+      "object, or sweep single settings",
       fmt::join(replaced, ", "), fmt::join(by, ", "));
 }
 

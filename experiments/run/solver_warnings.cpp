@@ -1,4 +1,4 @@
-// Warnings about how it is solved.
+// Warnings about the solver.
 #include "experiments/run/warning_messages.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include "bendlab/scene/membrane.hpp"
 #include "bendlab/scene/precision.hpp"
 #include "bendlab/solver/coarse_levels.hpp"
+#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
@@ -23,35 +24,33 @@ namespace bendlab {
 
 namespace {
 
-// Mean strain over the last second. A rigid membrane has none, woven cloth under its own weight less than
-// 0.01; strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
-// without bending, is left with 0.056 by 1 substep × 10 iterations, 0.012 by 10 × 1, and 0.006 by 4 × 10;
-// pinned at two corners, 20 cells, with 0.072 by 1 × 10 and 0.007 by 4 × 10. The paper's sheet on 16 cells,
-// which hangs as finer ones do, has 0.036.
+// Mean strain over the last second. A rigid membrane has no strain, woven cloth under its own weight less
+// than 0.01. Strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
+// without bending, keeps a strain of 0.056 with 1 substep × 10 iterations, 0.012 with 10 × 1, and 0.006 with
+// 4 × 10. A sheet of 20 cells pinned at two corners keeps 0.072 with 1 × 10 and 0.007 with 4 × 10. The
+// paper's sheet on 16 cells, which hangs like finer sheets, has 0.036.
 constexpr double unconverged_strain = 0.05;
-// Stretch of the most stretched triangle, for necks at pins that the mean does not show: a tube pinned at
-// its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
+// Stretch of the most stretched triangle. It shows necks at pins, which the mean does not show: a tube pinned
+// at its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
 // 1 it has 1.10.
 constexpr double unconverged_stretch = 1.25;
 
-// A sheet of 24 cells pinned at its centre, without bending: mean strain, and the most stretched triangle.
-//
-//   substeps × iterations    1 × 10         5 × 1          10 × 1          20 × 1
-//   alone                    0.049  1.59    0.025  1.30    0.0075  1.08    0.0022  1.03
-//   with tethers             0.024  1.22    0.018  1.14    0.0068  1.05    0.0024  1.03
 std::string remedy_of_unconverged(const WarningInput& input) {
   const SolverSettings& solver = input.scene.input.settings;
   std::string remedy =
       solver.iterations > 1
           ? fmt::format(
-                "{} × 1 project as often and leave less: in tests 10 × 1 left a triangle 1.08 times as long "
-                "where 1 × 10 left 1.59",
-                counted(solver.substeps * solver.iterations, "/solver/substep"))
-          : std::string("Twice the /solver/substeps leave about a third of the strain, as tests have shown");
+                "{} × 1 project as often and leave less: on a sheet pinned at its centre 10 × 1 left a "
+                "triangle {:.3g} times as long as at rest where 1 × 10 left {:.3g}",
+                counted(solver.substeps * solver.iterations, "/solver/substep"), measured::centre_10x1,
+                measured::centre_1x10)
+          : fmt::format("Twice the /solver/substeps leave about {:.2g} times the strain",
+                        measured::twice_the_substeps);
   const bool tethered = std::ranges::any_of(
       input.scene.effects, [](const Effect& effect) { return effect.kind().helps_projection; });
   if (!tethered && !input.scene.pins.all.empty())
-    remedy += ". The effect tethers holds what hangs from pins: 1 × 10 then left 1.22";
+    remedy += fmt::format(". The effect tethers holds what hangs from pins: 1 × 10 then left {:.3g}",
+                          measured::centre_1x10_with_tethers);
   return remedy;
 }
 
@@ -62,21 +61,20 @@ Message unconverged(const WarningInput& input) {
   const bool rigid = strain.kind == StiffnessKind::compliance ? strain.compliance == 0
                                                               : strain.warp == 1 && strain.weft == 1;
   const auto number = [&](const char* name) {
-    const auto found = input.summary->find(name);
-    return found == input.summary->end() ? 0.0 : found->second;
+    const auto metric = input.summary->find(name);
+    return metric == input.summary->end() ? 0.0 : metric->second;
   };
-  // A run of less than a second may end when it only begins to stretch, which medians do not show.
+  // A run of less than a second may end when the cloth begins to stretch, which medians do not show.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
   if (!rigid || !input.scene.input.method.kind().projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return WarningText(
-      fmt::format(
-          "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times "
-          "as long as at rest: {} × {} do not converge. {}",
-          mean, most, counted(input.scene.input.settings.substeps, "substep"),
-          counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input)),
+      fmt::format("the membrane should not stretch, but its mean strain is {:.2g} and a triangle is {:.3g} "
+                  "times as long as at rest: {} × {} do not converge. {}",
+                  mean, most, counted(input.scene.input.settings.substeps, "substep"),
+                  counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input)),
       most, fmt::format("{:.3g} times", most));
 }
 
@@ -84,16 +82,16 @@ Message unconverged(const WarningInput& input) {
 
 namespace {
 
-// excess_stretch() has the measurements.
-// With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
-// 1 + 1.6 (C²/n)^0.44 fits within 3 %.
+// excess_stretch() has the measurements. With coarse levels and 8 substeps × 1 iteration, a softening of 17
+// became 6.6, 64 became 11, 165 became 16 and 637 became 29. The formula 1 + 1.6 (C²/n)^0.44 fits these
+// values within 3 %.
 constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
 double softening_by(double excess, bool levels) {
   return 1 + (levels ? std::min(excess, 1.6 * std::pow(excess, 0.44)) : excess);
 }
 
-// Whether the cloth has tethers, which then hold it instead of its membrane.
+// Whether tethers hold the cloth instead of its membrane.
 bool has_tethers(const BuiltScene& scene) {
   return !scene.pins.all.empty() && !membrane_needs_no_tethers(scene) &&
          std::ranges::any_of(scene.effects,
@@ -105,9 +103,10 @@ bool is_held(const BuiltScene& scene) {
   return !scene.pins.all.empty() || has_obstacle(scene);
 }
 
-// With coarse levels no run measures how stiff the membrane was.
+// Whether the membrane stretches, but its stiffness was not measured: a run with coarse levels does not
+// measure it.
 bool stretches_unmeasured(const std::map<std::string, double>& summary) {
-  constexpr double stretched = 0.01;  // of soft_solver
+  constexpr double stretched = 0.01;  // mean strain, as for soft_solver
   const auto strain = summary.find("mean_strain");
   return !summary.contains("effective_membrane_stiffness") && strain != summary.end() &&
          strain->second > stretched;
@@ -115,7 +114,7 @@ bool stretches_unmeasured(const std::map<std::string, double>& summary) {
 
 }  // namespace
 
-// A forecast: after a run soft_solver says what was measured.
+// A forecast. After a run, soft_solver states the measured stiffness.
 Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
@@ -131,13 +130,14 @@ Message membrane_courant(const WarningInput& input) {
   constexpr double wanted = 0.1;
   const double softening = softening_by(excess, levels);
   return WarningText(
-      fmt::format("with {} in a substep, in which a wave of stretch crosses {:.2g} cells (the membrane's "
+      fmt::format("with {} in a substep, during which a wave of stretch crosses {:.2g} cells (the membrane's "
                   "Courant number), the membrane stretches about {:.2g} times as far as stated. About {} "
-                  "/solver/substeps make that 1.1 times{}",
+                  "/solver/substeps reduce that to 1.1 times{}",
                   counted(projections_per_substep(input.scene.input), "projection"), courant, softening,
                   static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
                   reach && !levels && softening_by(excess, true) < 0.5 * softening
-                      ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
+                      ? fmt::format(", /solver/levels: 12 reduces it to about {:.2g} times",
+                                    softening_by(excess, true))
                       : ""),
       softening, fmt::format("{:.2g} times", softening));
 }
@@ -150,14 +150,14 @@ Message tethers_for_membrane(const WarningInput& input) {
   if (!(excess > 0) || !has_tethers(scene)) return std::nullopt;
   const SolverSettings& solver = scene.input.settings;
   return WarningText(
-      fmt::format(
-          "tethers carry what the membrane is stated to carry, {:.3g} N/m: the cloth does not stretch away "
-          "from its pins. Without them the membrane would stretch about {:.2g} times as far as stated with "
-          "{} in a substep. With {} /solver/substeps it holds by itself, and tethers then do nothing; "
-          "\"method\": \"quasi_newton\", \"membrane\": \"stated\" in /solver keeps the membrane without them",
-          1 / scene.input.strain_stiffness.compliance, 1 + excess,
-          counted(projections_per_substep(input.scene.input), "projection"),
-          static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
+      fmt::format("tethers carry the load that the membrane with its stated {:.3g} N/m should carry, so the "
+                  "cloth does not stretch away from its pins. Without tethers, the membrane would stretch "
+                  "about {:.2g} times as far as stated, with {} in a substep. With {} /solver/substeps the "
+                  "membrane holds by itself, and tethers do nothing; \"method\": \"quasi_newton\", "
+                  "\"membrane\": \"stated\" in /solver keeps the stated membrane without tethers",
+                  1 / scene.input.strain_stiffness.compliance, 1 + excess,
+                  counted(projections_per_substep(input.scene.input), "projection"),
+                  static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
       1 + excess, fmt::format("{:.2g} times", 1 + excess));
 }
 
@@ -170,18 +170,17 @@ Message vbd_reach(const WarningInput& input) {
   const double courant = courant_number(input.scene), needed = std::ceil(share * courant * courant);
   if (!(scene.settings.iterations < needed)) return std::nullopt;
   return WarningText(
-      fmt::format(
-          "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): {} "
-          "then needs about {:.2g} C² = {:.2g} iterations to follow the motion, and has {}. With fewer "
-          "cloth was behind by 1 to 80 % of its size in tests. quasi_newton and newton need few",
-          courant, scene.method.name(), share, needed, scene.settings.iterations),
+      fmt::format("a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): {} "
+                  "then needs about {:.2g} C² = {:.2g} iterations to follow the motion, and has {}. With "
+                  "fewer the cloth lags behind. quasi_newton and newton need few",
+                  courant, scene.method.name(), share, needed, scene.settings.iterations),
       needed / scene.settings.iterations, fmt::format("{:.2g} iterations needed", needed));
 }
 
 // ---- k_overshoot
 
-// dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod at k of 0.01 to 1
-// leave a sheet of 20 cells pinned at two corners as it is or less strained, at 4 × 10 and at 1 × 10.
+// With k from 0.01 to 1, dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod
+// leave the strain of a sheet as it is, or lower it (20 cells, pinned at two corners, 4 × 10 and 1 × 10).
 Message k_overshoot(const WarningInput& input) {
   const Bending& bending = input.config.scene().bending;
   if (bending.stiffness != Stiffness::k && bending.stiffness != Stiffness::k_per_step) return std::nullopt;
@@ -199,21 +198,21 @@ Message k_overshoot(const WarningInput& input) {
 
 // ---- single_precision
 
-// A sheet on tethers, or on a plane, in single precision: see precision.cpp.
+// Measurements in single precision, of a sheet on tethers and of a sheet on a plane: see precision.cpp.
 Message single_precision(const WarningInput& input) {
   if (input.config.scene().solver.precision != ChosenPrecision::single_precision) return std::nullopt;
   const RoundingStrain strain = rounding_strain(input.scene);
   if (!strain.single_suffices())
     return fmt::format(
-        "the membrane is so stiff that its weight strains it by {:.2g}, and each rounding of a position in "
-        "single precision by {:.2g}. Set /solver/precision to auto, which takes double here",
+        "the membrane is so stiff that its weight strains it by only {:.2g}, but rounding a position in "
+        "single precision strains it by {:.2g}. Set /solver/precision to auto, which chooses double here",
         strain.of_weight, strain.rounded);
   const RoundingSpeed speed = rounding_speed(input.scene);
   if (speed.single_suffices()) return std::nullopt;
   return fmt::format(
-      "an effect moves vertices to positions that single precision rounds: in a substep each rounding "
-      "changes a speed by {:.2g} m/s, and gravity by {:.2g} m/s. Set /solver/precision to auto, which takes "
-      "double here",
+      "an effect moves vertices to positions that single precision rounds: in a substep, rounding changes a "
+      "speed by {:.2g} m/s, and gravity changes it by {:.2g} m/s. Set /solver/precision to auto, which "
+      "chooses double here",
       speed.rounded, speed.gained);
 }
 
@@ -234,20 +233,19 @@ Message soft_solver(const WarningInput& input) {
 // ---- softened_membrane
 
 Message softened_membrane(const WarningInput& input) {
-  const auto found = input.summary->find("membrane_softness");
-  if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
+  const auto softness = input.summary->find("membrane_softness");
+  if (softness == input.summary->end() || !(softness->second > 1)) return std::nullopt;
   if (!is_chosen(input, "/material/strain/membrane_stiffness") &&
       !is_chosen(input, "/material/strain/compliance"))
-    return std::nullopt;  // nobody stated a stiffness, and the summary has the number
+    return std::nullopt;  // no warning: the config states no stiffness
   const Method& method = input.scene.input.method;
   return WarningText(
-      fmt::format(
-          "/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as stated, "
-          "{:.3g} N/m, which moves the cloth at rest by at most {:.2g} of its size. \"stated\" keeps the "
-          "stiffness",
-          found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
-          method.kind().membrane_error(method.settings())),
-      found->second, fmt::format("{:.3g} times as soft", found->second));
+      fmt::format("/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as "
+                  "stated ({:.3g} N/m), which moves the cloth at rest by at most {:.2g} of its size. Set it "
+                  "to \"stated\" to keep the stiffness",
+                  softness->second, 1 / (softness->second * input.scene.input.strain_stiffness.compliance),
+                  method.kind().membrane_error(method.settings())),
+      softness->second, fmt::format("{:.3g} times as soft", softness->second));
 }
 
 // ---- lagging
@@ -272,7 +270,7 @@ double most_residual(const WarningInput& input) {
   return has_obstacle(input.scene) ? method.residual_of_lag_on_obstacle : method.residual_of_lag;
 }
 
-std::string_view remedy_of_lagging(const WarningInput& input) {
+std::string remedy_of_lagging(const WarningInput& input) {
   const Method& method = input.scene.input.method;
   if (method.kind().remedy_of_lag == nullptr)
     return "More /solver/iterations help, and quasi_newton needs fewer";
@@ -289,14 +287,15 @@ Message lagging(const WarningInput& input) {
   return WarningText(
       fmt::format(
           "the forces that steps leave unbalanced are {:.2g} times those of the effects (of inertia where "
-          "there are no effects): {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
+          "there are no effects): {} × {} do not converge, and the cloth lags behind{}. {}",
           found->second, counted(scene.settings.substeps, "substep"),
           counted(scene.settings.iterations, "iteration"),
           found->second > scene.method.kind().residual_of_lag
-              ? "it lagged by 1 to 12 % of its size where they were 2 to 5 times, and by 3 to 50 % at 5 to 20"
-              : "cloth that friction moves went 4 to 74 % of its way with vbd at 0.2 to 0.4 times, or slid "
-                "up "
-                "to four times as far with quasi_newton at 0.3 to 1.1",
+              ? fmt::format(". In tests it lagged by {:.2g} to {:.2g} % of its size where they were 2 to 5 "
+                            "times, and by {:.2g} to {:.2g} % at 5 to 20",
+                            measured::lag_of_2_to_5_least, measured::lag_of_2_to_5_most,
+                            measured::lag_of_5_to_20_least, measured::lag_of_5_to_20_most)
+              : ". Cloth that friction moves then goes a part of its way, or slides too far",
           remedy_of_lagging(input)),
       found->second, fmt::format("{:.2g} times", found->second));
 }
@@ -312,8 +311,7 @@ Message no_equilibrium(const WarningInput& input) {
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
       : blows               ? "The wind's force follows the pose, which Newton's method does not know: let "
-                              "the cloth come to rest with the method newton and viscous_drag. In tests it "
-                              "did at 2 and 3 m/s, where equilibrium left 100 times the loads"
+                              "the cloth come to rest with the method newton and viscous_drag"
                             : "A longer /duration allows more steps";
   return WarningText(
       fmt::format(

@@ -30,15 +30,15 @@ std::string divergence_message(const Divergence& divergence, const BuiltScene& s
       "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; earlier frames are kept{}{}",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
       divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
-      remedies.empty() ? "" : ". Measured to help: ", remedies);
+      remedies.empty() ? "" : ". In tests, this helped: ", remedies);
 }
 
-// Whether the cloth has come to rest: checked from time to time, because a check copies all velocities.
+// Checks from time to time whether the cloth has come to rest. A check copies all velocities.
 class Calm {
  public:
   explicit Calm(double speed) : speed_(speed) {}
 
-  // Whether no look in the last half second found a vertex faster than `speed`.
+  // Whether no check in the last half second found a vertex faster than `speed`.
   bool settled(const Simulation& simulation) {
     constexpr double looks_per_second = 60, calm_s = 0.5, rounding = 1e-9;
     if (speed_ == 0 || simulation.time() < next_look_ - rounding) return false;
@@ -54,7 +54,7 @@ class Calm {
   double speed_, next_look_ = 0, since_ = 0;
 };
 
-// CPU time of this thread and its helpers in the steps.
+// CPU time that this thread and its helpers spend in the steps.
 class StepClock {
  public:
   explicit StepClock(Simulation& simulation) : simulation_(simulation) {}
@@ -75,8 +75,8 @@ class StepClock {
 
 std::string stop_message(double time, double duration) {
   return fmt::format(
-      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again goes on from "
-      "there",
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; run the same command again to go on "
+      "from there",
       time, duration);
 }
 
@@ -100,7 +100,7 @@ void RunClock::archive(Archive& state, double recording_now) {
 
 Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved) {
-  // No structured bindings: clang before 16 has lambdas that cannot capture them.
+  // No structured bindings: in clang before 16, lambdas cannot capture them.
   Simulation& simulation = run.simulation;
   Recorder& recorder = run.recorder;
   Plausibility& plausibility = run.plausibility;
@@ -109,7 +109,8 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
   RunClock& run_clock = run.clock;
   const double duration = config.scene().duration, dt = config.scene().solver.dt;
   const double frame_interval = 1 / config.settings().output.frames_per_second;
-  constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
+  // In steps: a step whose end differs from a frame's time only by rounding records the frame.
+  constexpr double rounding = 1e-6;
   const std::int64_t steps = step_count(config.scene());
 
   std::int64_t done = 0;
@@ -142,7 +143,7 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
     try {
       Archive read(saved->state);
       archive(read);
-      if (!read.at_end()) throw std::runtime_error("the checkpoint has more than the run keeps");
+      if (!read.at_end()) throw std::runtime_error("the checkpoint has more data than the run reads");
     } catch (const std::exception& error) {
       throw Unresumable(error.what());
     }
@@ -155,7 +156,8 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
   for (std::int64_t step = done + 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     const double time = simulation.time();
-    // A cloth on the way to an equilibrium has no velocities: only the method knows whether it has arrived.
+    // A method that seeks an equilibrium has no velocities, and says itself whether it has found the
+    // equilibrium.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
     const bool last = step == steps || settled;
@@ -172,7 +174,7 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
     checkpoints.look(frames, state);
     if (!control.stop || !control.stop->load(std::memory_order_relaxed)) continue;
     checkpoints.now(frames, state);
-    if (!recorded) record();  // the file shows where it stopped; a run that goes on leaves this frame out
+    if (!recorded) record();  // shows where the run stopped; a run that goes on leaves this frame out
     return ended(RunStatus::interrupted, stop_message(time, duration));
   }
   return ended(RunStatus::complete, "");

@@ -21,15 +21,16 @@ class Unresumable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Time that a run took, in this process and in those before it.
+/// Time that a run took, in this process and in earlier processes.
 class RunClock {
  public:
   RunClock();
   double wall_s() const;
-  double thread_cpu_s() const;  ///< of the thread that steps
-  /// Of the thread that writes; `now` is its time in this process.
+  double thread_cpu_s() const;  ///< CPU time of the thread that steps
+  /// CPU time of the thread that writes; `now` is its time in this process.
   double recording_s(double now) const { return earlier_recording_s_ + now; }
-  const std::vector<double>& went_on_at() const { return went_on_at_; }  ///< s, simulated times
+  /// Simulated times at which the run went on from a checkpoint, s.
+  const std::vector<double>& went_on_at() const { return went_on_at_; }
   void go_on(double time) { went_on_at_.push_back(time); }
   void archive(Archive& state, double recording_now);
 
@@ -41,13 +42,13 @@ class RunClock {
 
 struct Stepping {
   RunStatus status = RunStatus::complete;
-  std::string message;  ///< where it diverged, why it stopped, what is not balanced
-  double cpu_s = 0;     ///< of the steps alone
+  std::string message;  ///< where the run diverged or stopped
+  double cpu_s = 0;     ///< CPU time of the steps alone
   std::uint64_t frames = 0;
   std::optional<double> settled_at = std::nullopt;  ///< s
 };
 
-/// A run at work: all that changes while it goes on.
+/// The objects that change while a run is stepped.
 struct RunAtWork {
   Simulation& simulation;
   Recorder& recorder;
@@ -57,9 +58,9 @@ struct RunAtWork {
   RunClock& clock;
 };
 
-/// Records the first pose and then /output/frames_per_second; measures and verdict look at every step.
-/// `saved`: where to go on, or null; frames up to there are in the writer's file. Throws RunFileError if
-/// frames can't be written, Unresumable if `saved` does not fit the run.
+/// Records the first pose, then /output/frames_per_second. Measures and plausibility checks see every step.
+/// `saved`: the checkpoint to go on from, or null; the frames up to it are in the writer's file. Throws
+/// RunFileError if frames can't be written, Unresumable if `saved` does not fit the run.
 Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved);
 

@@ -1,4 +1,4 @@
-// Warnings about a stiffness that is not what was stated.
+// Warnings about a stiffness that differs from the stated stiffness.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,36 +14,36 @@ Message strip_out_of_range(const WarningInput& input) {
   return unreadable_strip(input.config, input.scene);
 }
 
-// A strip that cannot be read was told before the run.
+// An unreadable strip has a warning of its own, strip_out_of_range.
 Message doubtful_stiffness(const WarningInput& input) {
   if (unreadable_strip(input.config, input.scene)) return std::nullopt;
   return doubtful_reading(input.config, input.scene, *input.summary);
 }
 
-// Hinges on diagonals of one direction resist bending across the diagonals more than along them, and no
-// weights change that: on grids with the diagonal "same" the sheet has 0.47 to 2.0 times the stated rigidity.
-// Alternating diagonals have 0.99 to 1.02, and Delaunay meshes 0.98 to 1.01.
+// If all diagonals point the same way, hinges resist bending across the diagonals more than along them, and
+// no weights of the hinges change that. On grids with the diagonal "same" the sheet has 0.47 to 2.0 times the
+// stated rigidity, with alternating diagonals 0.99 to 1.02 times, and on Delaunay meshes 0.98 to 1.01 times.
 Message uneven_stiffness(const WarningInput& input) {
   if (!is_chosen(input, "/bending/flexural_rigidity")) return std::nullopt;
-  constexpr double even = 0.45;  // 0.8 to 1.25
+  constexpr double even = 0.45;  // between 0.8 and 1.25 times the stated rigidity
   const auto fact = [&](const std::string& name) -> std::optional<double> {
     const auto& facts = input.scene.bending_facts;
-    const auto found = std::ranges::find(facts, name, &BendingFact::name);
-    return found == facts.end() ? std::nullopt : std::optional(found->value);
+    const auto match = std::ranges::find(facts, name, &BendingFact::name);
+    return match == facts.end() ? std::nullopt : std::optional(match->value);
   };
   const std::optional<double> spread = fact("linear_anisotropy");
   if (!spread || !(*spread > even)) return std::nullopt;
   const auto least = fact("large_deflection_least"), most = fact("large_deflection_most");
   return WarningText(
-      fmt::format("between directions of bending the sheet's flexural rigidity differs by {:.2g} times the "
-                  "stated one{}, because its triangles point one way. \"generator\": \"equilateral\" or "
-                  "\"diagonal\": \"alternating\" in /mesh makes that 0.01 to 0.13 times",
-                  *spread,
-                  least && most ? fmt::format(" (it is {:.2g} to {:.2g} times it)", *least, *most) : ""),
+      fmt::format(
+          "the sheet's flexural rigidity depends on the direction of bending: it varies by {:.2g} times the "
+          "stated rigidity{}, because all triangles point the same way. \"generator\": \"equilateral\" or "
+          "\"diagonal\": \"alternating\" in /mesh reduces this to 0.01 to 0.13 times",
+          *spread, least && most ? fmt::format(" (from {:.2g} to {:.2g} times)", *least, *most) : ""),
       *spread, fmt::format("{:.2g} times the stated rigidity", *spread));
 }
 
-// With pbd the springs' excess is lowered instead (weaker_push).
+// With pbd, the excess length of the springs is lowered instead (weaker_push).
 Message pushed_membrane(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   if (scene.method.kind().projects || scene.strain.size() == 0 ||

@@ -1,4 +1,5 @@
-// What this program was built from: recorded in every run, part of every run's id.
+// The sources, compiler and flags of this program. Every run records them; the source hash is part of a run's
+// id.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 namespace bendlab {
 
 struct BuildInfo {
-  std::string_view version;      ///< of the project
+  std::string_view version;      ///< of bendlab
   std::string_view git_commit;   ///< 40 hex digits; "unknown" outside a git checkout
   bool git_dirty = false;        ///< sources or build files differed from that commit
   std::string_view source_hash;  ///< 16 hex digits over the sources that decide results: all of lib/bendlab
@@ -15,13 +16,14 @@ struct BuildInfo {
   std::string_view compiler;     ///< name and version
   std::string_view flags;        ///< compiler flags, space-separated
   std::string_view build_type;   ///< Release, Debug, RelWithDebInfo
-  std::string_view changes;  ///< since that commit: a patch, packed by gzip; empty: none, or more than 4 MB
-  std::string_view changes_id;  ///< 16 hex digits of the patch; empty: none
+  std::string_view changes;      ///< gzip of the patch since that commit; empty if no patch, or above 4 MB
+  std::string_view changes_id;   ///< 16 hex digits, the hash of the patch; empty if there is no patch
 };
 
 const BuildInfo& build_info();
 
-/// Of the file beside runs that holds `changes`; says so if they are too many to be kept.
+/// Name of the file beside the runs that holds `changes`. If the patch is too long to be kept, the name says
+/// so.
 std::string changes_file_name();
 
 /// One line for `bendlab --version`.

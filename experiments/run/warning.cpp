@@ -17,13 +17,14 @@ Json to_json(const std::vector<Warning>& warnings) {
 std::vector<Warning> warnings_of(const Json& json) {
   std::vector<Warning> warnings;
   if (!json.is_array()) return warnings;
-  for (const Json& each : json) {
-    if (!each.is_object() || !each.contains("code") || !each.contains("message") ||
-        !each["code"].is_string() || !each["message"].is_string())
+  for (const Json& entry : json) {
+    if (!entry.is_object() || !entry.contains("code") || !entry.contains("message") ||
+        !entry["code"].is_string() || !entry["message"].is_string())
       continue;
-    Warning& warning = warnings.emplace_back(Warning{each["code"], each["message"]});
-    const auto severity = each.find("severity"), measured = each.find("measured");
-    if (severity == each.end() || measured == each.end() || !severity->is_number() || !measured->is_string())
+    Warning& warning = warnings.emplace_back(Warning{entry["code"], entry["message"]});
+    const auto severity = entry.find("severity"), measured = entry.find("measured");
+    if (severity == entry.end() || measured == entry.end() || !severity->is_number() ||
+        !measured->is_string())
       continue;
     warning.severity = *severity, warning.measured = *measured;
   }

@@ -1,4 +1,5 @@
-// A warning of a run, kept in its file and told at its end, and what it is found from.
+// A warning of a run, which its file keeps and the program prints, and the input from which warnings are
+// found.
 #pragma once
 
 #include <map>
@@ -16,12 +17,12 @@ class RunConfig;
 
 struct Warning {
   std::string code;        ///< stable: "unconverged", …
-  std::string message;     ///< with the number, what it means and what helps
-  double severity = 0;     ///< orders the warnings of a code: a larger one is worse
-  std::string measured{};  ///< the number that is as bad as that, "48 %"; empty if the message has none
+  std::string message;     ///< with the measured value, its meaning and a remedy
+  double severity = 0;     ///< orders warnings of the same code: larger is worse
+  std::string measured{};  ///< the value that gives the severity, "48 %"; empty if there is none
 };
 
-/// What a warning says of one run; a text alone has no number to be ordered by.
+/// The text of a warning. A text alone has no severity.
 struct WarningText {
   WarningText(std::string text) : message(std::move(text)) {}
   WarningText(std::string text, double how_bad, std::string number)
@@ -32,17 +33,17 @@ struct WarningText {
   std::string measured;
 };
 
-/// What a warning may know.
+/// The input of a function that may give a warning.
 struct WarningInput {
   const Experiment& experiment;
   const RunConfig& config;
   const BuiltScene& scene;
-  const std::map<std::string, double>* summary = nullptr;  ///< of the run; null before it
-  RunStatus status = RunStatus::running;                   ///< how it ended
+  const std::map<std::string, double>* summary = nullptr;  ///< of the run; null before the run
+  RunStatus status = RunStatus::running;                   ///< verdict of the run
 };
 
-/// [{code, message}, …] and back, with severity and measured where there is a number; other entries are left
-/// out.
+/// [{code, message}, …] and back, with severity and measured if a warning has them. Reading leaves out
+/// entries of another form.
 Json to_json(const std::vector<Warning>& warnings);
 std::vector<Warning> warnings_of(const Json& json);
 

@@ -1,4 +1,5 @@
-// A function of each kind of warning: what it says, or nothing. warnings.cpp lists them, in order.
+// One function for each kind of warning, which returns its text, or nothing. warnings.cpp lists them in
+// order.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +18,13 @@ using Message = std::optional<WarningText>;
 /// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
 bool is_chosen(const WarningInput& input, const std::string& pointer);
 
-// Of the config: setting_warnings.cpp.
+// Warnings about the config, in setting_warnings.cpp.
 Message inert_seed(const WarningInput& input);
 Message inert_stiffness(const WarningInput& input);
 Message inert_setting(const WarningInput& input);
 Message replaced_setting(const WarningInput& input);
 
-// Of the scene: scene_warnings.cpp.
+// Warnings about the scene, in scene_warnings.cpp.
 Message piece_without_pin(const WarningInput& input);
 Message effect_without_pins(const WarningInput& input);
 Message friction_without_obstacle(const WarningInput& input);
@@ -33,7 +34,7 @@ Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
 Message units(const WarningInput& input);
 
-// Of the solver: solver_warnings.cpp.
+// Warnings about the solver, in solver_warnings.cpp.
 Message unconverged(const WarningInput& input);
 Message membrane_courant(const WarningInput& input);
 Message tethers_for_membrane(const WarningInput& input);
@@ -46,7 +47,7 @@ Message softened_membrane(const WarningInput& input);
 Message lagging(const WarningInput& input);
 Message no_equilibrium(const WarningInput& input);
 
-// Of a stiffness that is not what was stated: stiffness_warnings.cpp.
+// Warnings about a stiffness that differs from the stated stiffness, in stiffness_warnings.cpp.
 Message strip_out_of_range(const WarningInput& input);
 Message doubtful_stiffness(const WarningInput& input);
 Message uneven_stiffness(const WarningInput& input);

@@ -1,5 +1,5 @@
-// What a colleague would say about a run that is not wrong, but may not be what was meant: each with its
-// number and a remedy. A new warning is a function and a row in warnings.cpp.
+// Warnings about a run that is not wrong, but may not be what was meant. A warning has a value and a remedy.
+// A new warning is a function and a row in warnings.cpp.
 #pragma once
 
 #include <optional>
@@ -14,14 +14,14 @@ namespace bendlab {
 struct WarningKind {
   std::string_view code;
   std::string_view meaning;  ///< when it is given
-  bool before;               ///< known before the run: does not look at the summary
+  bool before;               ///< known before the run: does not read the summary
   std::optional<WarningText> (*message)(const WarningInput&);
 };
 
-/// Every kind, in the order in which they are printed.
+/// Every kind, in the order in which warnings are printed.
 std::span<const WarningKind> warning_kinds();
 
-/// The warnings of a run; without a summary those that are known before it.
+/// The warnings of a run; without a summary, those that are known before the run.
 std::vector<Warning> warnings_of(const WarningInput& input);
 
 }  // namespace bendlab

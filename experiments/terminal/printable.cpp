@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-// A character of UTF-8; `bytes` is 0 if the text does not begin with one.
+// A UTF-8 character; `bytes` is 0 if the text does not begin with a valid character.
 struct Character {
   std::uint32_t code = 0;
   std::size_t bytes = 0;
@@ -31,12 +31,13 @@ Character first_of(std::string_view text) {
     if ((byte(i) & 0xC0) != 0x80) return {};
     code = (code << 6) | (byte(i) & 0x3Fu);
   }
-  constexpr std::array<std::uint32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};  // by bytes: none is longer
+  // The smallest code of each length in bytes: a longer encoding of a smaller code is invalid.
+  constexpr std::array<std::uint32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   return code < least[bytes] || code > 0x10FFFF || surrogate ? Character{} : Character{code, bytes};
 }
 
-bool turns_direction(std::uint32_t code) {  // Unicode's Bidi_Control; and what separates lines
+bool turns_direction(std::uint32_t code) {  // Unicode's Bidi_Control and line separators
   return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
          (code >= 0x2066 && code <= 0x2069);
 }
@@ -46,7 +47,7 @@ bool is_harmless(std::uint32_t code, Lines lines) {
   return code >= 0x20 && !(code >= 0x7F && code <= 0x9F) && !turns_direction(code);
 }
 
-// Of the sequences that coloured() writes, the length of the one that the text begins with, or 0.
+// If the text begins with a colour sequence of coloured(), the length of this sequence, else 0.
 std::size_t colour_length(std::string_view text) {
   for (const std::string_view sequence : {"\x1b[0m", "\x1b[2m", "\x1b[31m", "\x1b[32m", "\x1b[33m"})
     if (text.starts_with(sequence)) return sequence.size();
@@ -90,14 +91,14 @@ bool has_colours(std::FILE* stream) {
 
 std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
   if (!has_colours(stream)) return std::string(text);
-  constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
+  constexpr std::array codes = {32, 31, 33, 2};  // in the order of Colour
   const int code = codes.at(static_cast<std::size_t>(colour));
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
 void print_printable(std::FILE* stream, std::string_view text) {
-  const std::string shown = escaped(text, Lines::keep, has_colours(stream));
-  if (std::fwrite(shown.data(), 1, shown.size(), stream) < shown.size())
+  const std::string safe_text = escaped(text, Lines::keep, has_colours(stream));
+  if (std::fwrite(safe_text.data(), 1, safe_text.size(), stream) < safe_text.size())
     throw std::system_error(errno, std::generic_category(), "cannot write to file");
 }
 

@@ -1,4 +1,4 @@
-// What a terminal may be given of texts that others wrote: configs, run files, plans, names of files.
+// Makes texts from configs, run files, plans and file names safe to print on a terminal.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@ namespace bendlab {
 
 enum class Lines { keep, escape };
 
-/// The text with control characters (C0, C1, delete), characters that turn the direction of text, and bytes
-/// that are no UTF-8 written out as `\u001b`, which JSON reads as what it was. `Lines::keep`: new lines and
-/// tabs stay.
+/// The text with unsafe characters written as `\u001b`, which JSON reads as the same character: control
+/// characters (C0, C1, delete) and characters that turn the direction of text. A byte that is no UTF-8
+/// becomes `\ufffd`. `Lines::keep` keeps new lines and tabs.
 std::string printable(std::string_view text, Lines lines = Lines::keep);
 
 enum class Colour { green, red, yellow, dim };
@@ -22,14 +22,14 @@ enum class Colour { green, red, yellow, dim };
 /// Whether `stream` is a terminal and NO_COLOR is not set.
 bool has_colours(std::FILE* stream);
 
-/// The text in that colour if `stream` has colours, else as it is.
+/// The text in `colour` if `stream` has colours, else unchanged.
 std::string coloured(std::string_view text, Colour colour, std::FILE* stream);
 
-/// Prints printable(text). The colours of coloured() stay if the stream is one that has them. Throws
-/// std::system_error if nothing can be written there.
+/// Prints printable(text), but keeps the colours of coloured() if the stream has colours. Throws
+/// std::system_error if the stream cannot be written.
 void print_printable(std::FILE* stream, std::string_view text);
 
-/// As fmt::print, of what is printable.
+/// Like fmt::print, but prints with print_printable().
 template <class... Values>
 void print_text(std::FILE* stream, fmt::format_string<Values...> format, Values&&... values) {
   print_printable(stream, fmt::format(format, std::forward<Values>(values)...));

@@ -1,4 +1,4 @@
-// The progress bar of runs that go side by side: on stderr, and only if that is a terminal.
+// The progress bar of runs that are computed at the same time. Shown on stderr, and only on a terminal.
 #pragma once
 
 #include <chrono>
@@ -18,16 +18,16 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Run `index` has simulated `done_s` of `total_s` seconds. Any thread.
+  /// Run `index` has simulated `done_s` of `total_s` seconds. Thread-safe.
   void update(std::size_t index, double done_s, double total_s);
 
   /// Run `index` is over; `computed` is false if it was complete before and took no time.
   void finish(std::size_t index, bool computed);
 
-  /// A line on stderr, above the bar where there is one.
+  /// Prints a line on stderr, above the bar if there is a bar.
   void message(std::string_view text);
 
-  /// Takes the bar away while `print` writes to the terminal.
+  /// Hides the bar while `print` writes to the terminal.
   void pause(const std::function<void()>& print);
 
  private:

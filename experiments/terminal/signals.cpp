@@ -17,8 +17,9 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 void handle(int signal) {
   if (stop.exchange(true)) _exit(128 + signal);
   stop_signal = signal;
-  // On a terminal the line has a progress bar and ^C in it.
-  constexpr std::string_view text = "\nbendlab: stopping after the current frame (again to stop at once)\n";
+  // On a terminal the current line already shows a progress bar and ^C, so the text begins with a new line.
+  constexpr std::string_view text =
+      "\nbendlab: stopping after the current frame (interrupt again to stop at once)\n";
   const std::string_view line = terminal ? text : text.substr(1);
   [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
 }

@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-/// Columns on screen: code points of UTF-8, escape sequences left out.
+/// Width on screen in characters: UTF-8 code points, without escape sequences.
 std::size_t width(std::string_view text) {
   std::size_t count = 0;
   bool escape = false;
@@ -24,7 +24,7 @@ std::size_t width(std::string_view text) {
 }
 
 bool is_number(const std::string& text) {
-  if (text.empty()) return true;  // a gap fits into a column of either kind
+  if (text.empty()) return true;  // an empty cell fits into a column of numbers, too
   char* end = nullptr;
   std::strtod(text.c_str(), &end);
   return *end == '\0';

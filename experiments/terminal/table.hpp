@@ -13,7 +13,7 @@ class Table {
   /// One cell per heading, shown on one line.
   void add_row(std::vector<std::string> cells);
 
-  /// Headings and rows, a line each. A column of numbers is aligned right, any other left.
+  /// Headings and rows, one line each. Columns of numbers are aligned right, other columns left.
   std::string text() const;
 
  private:

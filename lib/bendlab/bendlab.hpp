@@ -1,4 +1,4 @@
-// All that a program needs which makes a cloth and steps it.
+// Everything that a program needs to make a cloth and step it.
 #pragma once
 
 #include "bendlab/scene/scene_json.hpp"

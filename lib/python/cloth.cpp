@@ -29,7 +29,7 @@ Scene scene_of(const std::string& text, const std::string& folder, std::optional
   return scene;
 }
 
-// A read-only view of numbers that `owner` keeps.
+// A read-only view of numbers that `owner` keeps alive.
 template <class Matrix>
 py::array view_of(const Matrix& numbers, const std::shared_ptr<const void>& owner) {
   const py::capsule base(new std::shared_ptr<const void>(owner),
@@ -40,16 +40,16 @@ py::array view_of(const Matrix& numbers, const std::shared_ptr<const void>& owne
   return view;
 }
 
-// Keeps the memory of `numbers`, to which there may be views.
+// Writes into the memory of `numbers`, because there may be views of it.
 void fill(Positions& numbers, const Positions& now) {
   std::copy_n(now.data(), now.size(), numbers.data());
 }
 
 // A copy of the input without its constraints; the caller puts a list back.
 SimulationInput bare(const SimulationInput& input) {
-  SimulationInput one = input;
-  one.strain = {}, one.edges = {}, one.distance = {}, one.elements = {}, one.own = {};
-  return one;
+  SimulationInput part = input;
+  part.strain = {}, part.edges = {}, part.distance = {}, part.elements = {}, part.own = {};
+  return part;
 }
 
 bool has_energy(const StrainStiffness& stiffness) {
@@ -63,26 +63,26 @@ bool has_energy(const BendingStiffness& stiffness) {
 template <class Visit>
 void for_energies(const SimulationInput& input, const Visit& visit) {
   if (input.strain.size() > 0 && has_energy(input.strain_stiffness)) {
-    SimulationInput one = bare(input);
-    one.strain = input.strain;
-    visit("strain", one);
+    SimulationInput part = bare(input);
+    part.strain = input.strain;
+    visit("strain", part);
   }
   if (!has_energy(input.bending_stiffness)) return;
   if (input.distance.size() > 0) {
-    SimulationInput one = bare(input);
-    one.distance = input.distance;
-    visit("distance", one);
+    SimulationInput part = bare(input);
+    part.distance = input.distance;
+    visit("distance", part);
   }
   if (input.own.size() > 0) {
-    SimulationInput one = bare(input);
-    one.own = input.own;
-    visit(input.own.function->name(), one);
+    SimulationInput part = bare(input);
+    part.own = input.own;
+    visit(input.own.function->name(), part);
   }
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (list.size() == 0) return;
-    SimulationInput one = bare(input);
-    std::get<ElementList<Kind>>(one.elements) = list;
-    visit(Kind::name, one);
+    SimulationInput part = bare(input);
+    std::get<ElementList<Kind>>(part.elements) = list;
+    visit(Kind::name, part);
   });
 }
 
@@ -101,8 +101,8 @@ class PythonCloth::Use {
   explicit Use(PythonCloth& cloth) : in_use_(cloth.in_use_) {
     if (in_use_.exchange(true))
       throw std::runtime_error(
-          "this cloth is in the middle of a step: give each thread a cloth of its own, and let models and "
-          "effects read the arrays that they get");
+          "this cloth is in the middle of a step: give each thread its own cloth, and let models and effects "
+          "read only the arrays that they are given");
   }
   ~Use() { in_use_ = false; }
   Use(const Use&) = delete;
@@ -170,7 +170,7 @@ py::array PythonCloth::pins() {
     throw std::invalid_argument(std::string(method.name) +
                                 " leaves pinned vertices where they are: choose another method to move them");
   if (!hand_) {
-    // From here on the scene has one more effect: a new simulation takes the state over.
+    // From here on the scene has one more effect: a new simulation takes over the state.
     hand_ = std::make_shared<HandMotion>();
     hand_->vertices = cloth_.scene().pins.all;
     const auto count = static_cast<Eigen::Index>(hand_->vertices.size());
@@ -242,28 +242,28 @@ py::dict PythonCloth::energies() {
   const Use use(*this);
   const BuiltScene& scene = cloth_.scene();
   const Positions positions = cloth_.positions();
-  py::dict found;
-  found["kinetic"] = motion_of(scene.input.mass, positions, cloth_.velocities()).kinetic_energy;
-  found["weight"] = potential_energy(scene, positions) - elastic_energy(scene.input, positions);
-  for_energies(scene.input, [&](std::string_view name, const SimulationInput& one) {
-    found[py::str(name.data(), name.size())] = elastic_energy(one, positions);
+  py::dict by_kind;
+  by_kind["kinetic"] = motion_of(scene.input.mass, positions, cloth_.velocities()).kinetic_energy;
+  by_kind["weight"] = potential_energy(scene, positions) - elastic_energy(scene.input, positions);
+  for_energies(scene.input, [&](std::string_view name, const SimulationInput& part) {
+    by_kind[py::str(name.data(), name.size())] = elastic_energy(part, positions);
   });
-  return found;
+  return by_kind;
 }
 
 py::dict PythonCloth::forces() {
   const Use use(*this);
   const Positions positions = cloth_.positions();
-  py::dict found;
-  for_energies(cloth_.scene().input, [&](std::string_view name, const SimulationInput& one) {
-    const Points<double> forces = ElasticSystem(one).forces(positions);
+  py::dict by_kind;
+  for_energies(cloth_.scene().input, [&](std::string_view name, const SimulationInput& part) {
+    const Points<double> forces = ElasticSystem(part).forces(positions);
     py::array_t<double> rows({positions.rows(), positions.cols()});
     auto row = rows.mutable_unchecked<2>();
     for (Eigen::Index v = 0; v < positions.rows(); ++v)
       for (int axis = 0; axis < 3; ++axis) row(v, axis) = forces[static_cast<std::size_t>(v)].vector()[axis];
-    found[py::str(name.data(), name.size())] = rows;
+    by_kind[py::str(name.data(), name.size())] = rows;
   });
-  return found;
+  return by_kind;
 }
 
 }  // namespace bendlab

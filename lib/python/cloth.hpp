@@ -18,8 +18,8 @@ namespace bendlab {
 
 class PythonCloth {
  public:
-  /// Reads a scene from JSON; `mesh` takes the place of a generator. Throws as read_scene() and simulate()
-  /// do.
+  /// Reads a scene from JSON; `mesh` takes the place of a generator. Throws ConfigError for a wrong scene,
+  /// and what simulate() throws.
   PythonCloth(const std::string& scene, const std::string& folder, std::optional<TriangleMesh> mesh);
 
   /// One time step, without the GIL. Throws std::runtime_error if the cloth diverged, or if another call is
@@ -42,7 +42,7 @@ class PythonCloth {
   /// (P, 3), m: where the pinned vertices are at the end of the next step. Always the same memory, which may
   /// be written. Throws std::invalid_argument for a method that does not move pins.
   pybind11::array pins();
-  /// (code, message) of what is doubtful about the scene, as `bendlab run` prints it.
+  /// (code, text) of each warning about the scene, as `bendlab run` prints it.
   std::vector<std::pair<std::string, std::string>> warnings() const { return warnings_; }
 
   /// J, by kind: "kinetic", "weight", and "strain" and each kind of bending constraint. A stiffness that is
@@ -60,7 +60,7 @@ class PythonCloth {
   Cloth cloth_;
   bool has_python_parts_ = false;
   std::vector<std::pair<std::string, std::string>> warnings_;
-  std::shared_ptr<HandMotion> hand_;  // null until pins() was asked for
+  std::shared_ptr<HandMotion> hand_;  // null until pins() was called
   std::shared_ptr<Arrays> arrays_;
   std::atomic<bool> in_use_{false};
 };

@@ -15,7 +15,7 @@ struct HandMotion {
   double start = 0, duration = 1;  ///< s, of the step
 };
 
-/// An effect that follows a motion; it is no part of any config.
+/// An effect that moves pinned vertices along a HandMotion; it cannot be part of a config.
 struct Hand {
   std::shared_ptr<const HandMotion> motion;
   static const EffectKind kind;

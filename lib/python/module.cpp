@@ -40,7 +40,7 @@ std::string_view type_name(const Field& field) {
   return "";
 }
 
-// A struct of settings: its table, and the words of its class's documentation.
+// A struct of settings: its table, and the texts for the documentation of its Python class.
 struct Table {
   std::string name, pointer, meaning;
   FieldTable table;
@@ -75,7 +75,7 @@ template <class Kind>
 std::vector<Table> tables_of(std::span<const Kind* const> kinds, std::string_view pointer) {
   std::vector<Table> tables;
   for (const Kind* kind : kinds) {
-    // A model's settings have a section of its name.
+    // A model's own settings have a section with the model's name.
     std::string place(pointer);
     if constexpr (std::is_same_v<Kind, BendingKind>) place += "/" + std::string(kind->name);
     tables.push_back({std::string(kind->name), std::move(place), std::string(kind->summary), kind->settings});
@@ -93,7 +93,7 @@ std::vector<Table> parts() {
   return tables;
 }
 
-// Throws std::invalid_argument (ValueError) for arrays that are no mesh.
+// The arrays have to be those that scene.py checked: (V, 3) and (T, 3).
 std::optional<TriangleMesh> mesh_of(const py::object& vertices, const py::object& triangles) {
   if (vertices.is_none()) return std::nullopt;
   using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -161,19 +161,18 @@ PYBIND11_MODULE(_core, module) {
                              "Whether further steps would change nothing; always False for methods that "
                              "move on in time.")
       .def_property_readonly("positions", &PythonCloth::positions,
-                             "(V, 3), m. A read-only view, whose numbers change when positions are asked for "
-                             "again: copy() keeps them.")
+                             "(V, 3), m. A read-only view. Its numbers change when positions are read again: "
+                             "copy() keeps them.")
       .def_property_readonly("velocities", &PythonCloth::velocities, "(V, 3), m/s. A view like positions.")
       .def_property_readonly("triangles", &PythonCloth::triangles, "(T, 3), vertices of each triangle.")
-      .def_property_readonly("masses", &PythonCloth::masses, "(V), kg, of pinned vertices, too.")
+      .def_property_readonly("masses", &PythonCloth::masses, "(V), kg. Pinned vertices have a mass, too.")
       .def_property_readonly("pinned", &PythonCloth::pinned, "(P), the vertices that are pinned.")
       .def_property_readonly("pins", &PythonCloth::pins)
       .def_property_readonly("warnings", &PythonCloth::warnings,
-                             "(code, message) of what is doubtful about the scene, as `bendlab run` says it.")
+                             "(code, text) of each warning about the scene, as `bendlab run` prints it.")
       .def("energies", &PythonCloth::energies,
            "J, by kind: kinetic, weight (0 at the start), strain, and each kind of bending constraint. A "
-           "stiffness "
-           "that is stated as k has no energy.")
+           "stiffness that is stated as k has no energy.")
       .def("forces", &PythonCloth::forces, "(V, 3), N, by kind of constraint; 0 at pinned vertices.");
   add_own_parts(module);
   add_runs(module);

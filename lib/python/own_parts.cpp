@@ -24,20 +24,20 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-// What a class of Python is to the program. It is never freed: scenes refer to it.
+// A Python class as the program knows it. It is never freed, because scenes refer to it.
 struct OwnPart {
   py::object type;  // the class
   std::string name, label, summary, source, code;
-  std::vector<std::string> texts;  // of the fields
+  std::vector<std::string> texts;  // to which the fields refer
   std::vector<Field> fields;
 };
 
-// Settings of such a part: values by name.
+// The settings of such a class: values by name.
 struct OwnSettings {
   const OwnPart* part = nullptr;
   std::map<std::string, Value, std::less<>> values;
 
-  // The object of Python. For holders of the GIL.
+  // Makes the Python object. The caller has to hold the GIL.
   py::object made() const {
     py::dict given;
     for (const auto& [name, value] : values) given[py::str(name)] = python_of(value);
@@ -45,7 +45,7 @@ struct OwnSettings {
   }
 };
 
-std::string_view kept(OwnPart& part, const py::handle& text) {
+std::string_view store(OwnPart& part, const py::handle& text) {
   return part.texts.emplace_back(py::cast<std::string>(text));
 }
 
@@ -62,11 +62,11 @@ FieldType type_of(const std::string& name) {
 FieldTable table_of(OwnPart& part, const py::list& rows) {
   auto* const usual = new OwnSettings{&part, {}};
   part.texts.reserve(3 * rows.size());
-  for (const py::handle& each : rows) {
-    const auto row = py::cast<py::dict>(each);
+  for (const py::handle& listed : rows) {
+    const auto row = py::cast<py::dict>(listed);
     Field field;
-    field.name = kept(part, row["name"]), field.unit = kept(part, row["unit"]);
-    field.meaning = kept(part, row["meaning"]);
+    field.name = store(part, row["name"]), field.unit = store(part, row["unit"]);
+    field.meaning = store(part, row["meaning"]);
     field.type = type_of(py::cast<std::string>(row["type"]));
     field.minimum = py::cast<double>(row["minimum"]), field.maximum = py::cast<double>(row["maximum"]);
     field.above = py::cast<bool>(row["above"]);
@@ -121,9 +121,9 @@ class PythonFunction final : public ElementFunction {
     const auto arity = static_cast<py::ssize_t>(corners.size()) / count / 3;
     const py::array_t<double> x({count, arity, py::ssize_t{3}}, corners.data());
     const py::array_t<int> elements(count, which.data());
-    const py::tuple both = evaluate_(elements, x);  // of the right shapes: own.py checks them
-    std::ranges::copy_n(py::cast<Numbers>(both[0]).data(), count, values.begin());
-    std::ranges::copy_n(py::cast<Numbers>(both[1]).data(), 3 * count * arity, gradients.begin());
+    const py::tuple result = evaluate_(elements, x);  // of the right shapes: own.py checks them
+    std::ranges::copy_n(py::cast<Numbers>(result[0]).data(), count, values.begin());
+    std::ranges::copy_n(py::cast<Numbers>(result[1]).data(), 3 * count * arity, gradients.begin());
   }
 
  private:
@@ -151,7 +151,7 @@ py::dict rest_of(const RestMesh& rest, const Pins& pins) {
                   "areas"_a = py::array(py::cast(rest.areas())));
 }
 
-// What Python's elements() gave, checked by own.py: (vertices, softness, evaluate, is_energy).
+// The result of a model's elements() in Python, checked by own.py: (vertices, softness, evaluate, is_energy).
 OwnElements elements_of(const std::string& name, const py::tuple& made) {
   const auto vertices = py::cast<Indices>(made[0]);
   const auto softness = py::cast<Numbers>(made[1]);
@@ -186,10 +186,10 @@ void register_model(const py::object& type, const py::dict& about, const py::lis
 
 // ---- effects
 
-// The object of Python that acts, and the cloth in the mesh's order.
+// The Python object of an effect, and where State's arrays hold the vertices.
 struct ActingEffect {
   py::object object;
-  std::vector<std::size_t> slot;  // #V, of each vertex in State's arrays
+  std::vector<std::size_t> slot;  // #V: index of each vertex in State's arrays
 
   ~ActingEffect() {
     const py::gil_scoped_acquire gil;
@@ -223,11 +223,11 @@ std::vector<Pass<Real>> compile(const OwnSettings& settings, const EffectInput& 
              const auto velocity = acting->rows(state, [&](std::size_t v) {
                return Vector3(state.velocity[v].vector().template cast<double>());
              });
-             const auto found =
+             const auto acceleration =
                  py::cast<Numbers>(py::module_::import("bendlab.own")
                                        .attr("acceleration_of")(acting->object, x, velocity, context.time,
                                                                 py::cast(state.mass)));
-             const double* row = found.data();
+             const double* row = acceleration.data();
              for (const std::size_t v : acting->slot) {
                const Vector3 change = static_cast<double>(context.substep) * Eigen::Map<const Vector3>(row);
                if (state.position[v].w > 0) state.accelerate(v, change.template cast<Real>());
@@ -286,17 +286,17 @@ class PythonMeasurement final : public Measurement {
                 std::span<std::vector<float>>) override {
     if (columns_ == 0) return;
     const py::gil_scoped_acquire gil;
-    const auto found = py::cast<std::vector<double>>(
+    const auto metrics = py::cast<std::vector<double>>(
         py::module_::import("bendlab.own").attr("measured_frame")(object_, frame.positions(), frame.time()));
-    std::ranges::copy(found, values.begin());
+    std::ranges::copy(metrics, values.begin());
   }
   void finish(const RunEnd& end, Findings& findings) override {
     if (gives_.empty()) return;
     const py::gil_scoped_acquire gil;
-    const auto found = py::cast<std::vector<std::optional<double>>>(
+    const auto metrics = py::cast<std::vector<std::optional<double>>>(
         py::module_::import("bendlab.own").attr("measured_end")(object_, end.simulation.positions()));
     for (std::size_t i = 0; i < gives_.size(); ++i)
-      if (found[i]) findings.summary[gives_[i].name] = *found[i];
+      if (metrics[i]) findings.summary[gives_[i].name] = *metrics[i];
   }
   void archive(Archive& state) override {
     const py::gil_scoped_acquire gil;
@@ -317,7 +317,7 @@ void register_own_measure(const py::object& type, const py::dict& about, const p
   OwnPart& part = new_part(type, about);
   const std::vector<Column> of_frames = columns_of(columns), of_run = columns_of(numbers);
   auto* const measure = new Measure;
-  measure->name = part.name, measure->summary = part.summary, measure->cost = "a call of Python per frame";
+  measure->name = part.name, measure->summary = part.summary, measure->cost = "a call to Python per frame";
   measure->code = part.code;
   measure->columns = [of_frames] { return of_frames; };
   measure->gives = [of_run] { return of_run; };
@@ -337,7 +337,7 @@ void add_own_parts(py::module_& module) {
       "remove_model", [](const std::string& name) { remove_bending_model(name); }, "name"_a);
   module.def("register_effect", &register_own_effect, "type"_a, "about"_a, "fields"_a);
   module.def("register_measure", &register_own_measure, "type"_a, "about"_a, "columns"_a, "numbers"_a);
-  // What a model gets of a mesh: for the check of its gradient.
+  // The arrays that a model gets for a mesh. own.py checks gradients with them.
   module.def("rest_of", [](const Positions& vertices, const Triangles& triangles) {
     const RestMesh rest(TriangleMesh{vertices, triangles});
     return rest_of(rest, make_pins(rest, {}, 0));

@@ -1,4 +1,5 @@
-// Who reads the registries of models, effects and measures without the GIL: meanwhile no class may be added.
+// Counts who reads the registries of models, effects and measures without the GIL. Meanwhile no class may be
+// added.
 #pragma once
 
 #include <atomic>
@@ -6,7 +7,7 @@
 
 namespace bendlab {
 
-/// One reader, from before it gives the GIL up until it has it again.
+/// A reader, from before it gives up the GIL until it has the GIL again.
 class RegistryReader {
  public:
   RegistryReader() { ++count(); }
@@ -14,7 +15,7 @@ class RegistryReader {
   RegistryReader(const RegistryReader&) = delete;
   RegistryReader& operator=(const RegistryReader&) = delete;
 
-  /// For holders of the GIL. Throws std::runtime_error.
+  /// Throws std::runtime_error if there is a reader. The caller has to hold the GIL.
   static void require_none() {
     if (count() > 0)
       throw std::runtime_error(

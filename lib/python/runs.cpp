@@ -39,7 +39,7 @@ py::dict row_of(const CampaignRun& run) {
   return row;
 }
 
-// Runs them on another thread, so that Python sees Ctrl-C.
+// Runs the campaign on another thread, so that Python sees Ctrl-C.
 class Watched {
  public:
   Watched(std::vector<CampaignRun>& runs, CampaignOptions options, const py::object& progress) {
@@ -98,7 +98,7 @@ py::list run(const std::string& config, const std::string& source, const std::st
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   Watched(runs, {.out = out, .jobs = jobs, .force = force, .tells_verdicts = false}, progress);
   py::list rows;
-  for (const CampaignRun& each : runs) rows.append(row_of(each));
+  for (const CampaignRun& planned : runs) rows.append(row_of(planned));
   return rows;
 }
 

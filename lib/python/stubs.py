@@ -1,4 +1,4 @@
-"""Writes bendlab/__init__.pyi: what an editor shows of classes that exist only once the tables were read.
+"""Writes bendlab/__init__.pyi for editors: the classes exist only after the tables of settings are read.
 
 usage: stubs.py FILE
 """
@@ -10,7 +10,7 @@ sys.path.pop(0)  # this folder has the package without its extension module
 import bendlab as bl  # noqa: E402
 from bendlab.settings import Settings  # noqa: E402
 
-# Of settings that are settings themselves.
+# Types of members that have settings of their own.
 PARTS = {"mesh": "Mesh", "pins": "Pins | Sequence[str | int]", "material": "Material", "strain": "Strain",
          "bending": "Model", "solver": "Method", "effects": "Sequence[Effect] | None", "initial": "Initial"}
 

@@ -1,5 +1,5 @@
-// Physical stiffness: what a sheet bent to unit curvature does, and that calibrated models resist it as they
-// were asked.
+// Physical stiffness: the geometry of a sheet bent to unit curvature, and whether calibrated models have the
+// stiffness that they were asked for.
 #include "bendlab/bending/calibration.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using test::Changed;
 
 constexpr double pi = std::numbers::pi;
 
-const Vector2 across = {0, 1};  // of the rows of a lattice with rows along x
+const Vector2 across = {0, 1};  // across the rows of a lattice whose rows lie along x
 
 Vector2 direction(double angle) {
   return {std::cos(angle), std::sin(angle)};
@@ -36,7 +36,7 @@ double area_of(const RestMesh& rest) {
   return std::accumulate(rest.areas().begin(), rest.areas().end(), 0.0);
 }
 
-// A lattice with rows along x, folded at its rows by these angles: an isometry, exactly.
+// A lattice with rows along x, folded at its rows by these angles. Lengths stay exactly the same.
 Positions folded_at_rows(const RestMesh& rest, const std::vector<double>& angles) {
   const double height = std::numbers::sqrt3 / 2 * rest.mean_edge_length();
   std::vector<std::array<double, 2>> profile{{0, 0}};
@@ -60,7 +60,7 @@ Positions folded_at_rows(const RestMesh& rest, double curvature) {
   return folded_at_rows(rest, std::vector(static_cast<std::size_t>(rows), curvature * height));
 }
 
-// The sheet as UnitBend has it, at a small curvature.
+// The sheet bent by the displacements of UnitBend, at a small curvature.
 Positions displaced(const RestMesh& rest, const UnitBend& bend, double curvature, const Vector2& d) {
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) {
@@ -93,9 +93,9 @@ BendingConstraints calibrated(std::string_view model, const RestMesh& rest, cons
 }
 
 double fact(const BendingConstraints& constraints, std::string_view name) {
-  const auto found = std::ranges::find(constraints.facts, name, &BendingFact::name);
-  REQUIRE(found != constraints.facts.end());
-  return found->value;
+  const auto match = std::ranges::find(constraints.facts, name, &BendingFact::name);
+  REQUIRE(match != constraints.facts.end());
+  return match->value;
 }
 
 std::string refusal(std::string_view model, const RestMesh& rest, const CalibrationTarget& target,
@@ -119,9 +119,9 @@ const std::vector<std::pair<std::string_view, Changed>> hinge_models = {
 
 }  // namespace
 
-TEST_CASE("pairs of a bent lattice shorten as its folds say", "[bending][calibration]") {
-  // C = 4 Σ ½ δ² / area of springs of 1 N/m to ring t alone, over a⁴: a separate computation in arithmetic of
-  // the lattice, printed to five digits.
+TEST_CASE("pairs of a bent lattice shorten as its folds predict", "[bending][calibration]") {
+  // C / a⁴ with C = 4 Σ ½ δ² / area, for springs of 1 N/m to ring t alone. A separate computation in integer
+  // coordinates of the lattice gave these values, printed to five digits.
   const std::map<int, double> computed_apart = {{2, 0.15223}, {3, 3.3926}, {4, 27.507}};
   const RestMesh rest(equilateral(1, 1, 32));
   const UnitBend bend(rest);
@@ -131,7 +131,7 @@ TEST_CASE("pairs of a bent lattice shorten as its folds say", "[bending][calibra
         test::built("k_ring", rest, {{"k", std::int64_t{t}}, {"rings", std::string("last")}}).distance;
     double sum = 0, count = 0;
     for (std::size_t s = 0; s < springs.size(); ++s) {
-      // A spring belongs to its lower end, or left end: 3 t of them to each vertex.
+      // A spring belongs to its lower end, or to its left end if it is level: each vertex has 3 t springs.
       auto [low, high] = springs.vertices[s];
       const Vector3 up = rest.position(high) - rest.position(low);
       if (up.y() < -1e-9 || (std::abs(up.y()) < 1e-9 && up.x() < 0)) std::swap(low, high);
@@ -144,8 +144,8 @@ TEST_CASE("pairs of a bent lattice shorten as its folds say", "[bending][calibra
 }
 
 TEST_CASE("a lattice bends without strain in any direction", "[bending][calibration]") {
-  // Its discrete Gaussian curvature is the determinant of the second derivatives, whatever the direction; so
-  // what is left at a curvature κ is of order κ⁴: 1/16 at half of it.
+  // The discrete Gaussian curvature of a lattice is the determinant of the second derivatives. It vanishes in
+  // any direction of bending, so only a strain of order κ⁴ remains: 1/16 at half the curvature.
   const RestMesh rest(equilateral(1, 0.7, 16));
   const UnitBend bend(rest);
   CHECK(bend.membrane_quartic() < 1e-20 * std::pow(rest.mean_edge_length(), 4));
@@ -154,14 +154,15 @@ TEST_CASE("a lattice bends without strain in any direction", "[bending][calibrat
                  half = worst_edge_strain(rest, displaced(rest, bend, 0.1, direction(angle)));
     CHECK_THAT(strain / half, WithinRel(16, 0.02));
   }
-  // A vertex of an irregular mesh is flat only by chance, and nothing but its height could mend that.
+  // A vertex of an irregular mesh has no Gaussian curvature only by chance. Only a change of its height, not
+  // of its place in the plane, could remove that curvature.
   const RestMesh irregular(delaunay(1, 0.7, 16, 3));
   CHECK(UnitBend(irregular).membrane_quartic() > 1e-6 * std::pow(irregular.mean_edge_length(), 4));
 }
 
-TEST_CASE("the bent sheet's displacements leave the least strain", "[bending][calibration]") {
-  // Any other displacement strains more: moving a vertex costs as much one way as the other, to first order
-  // nothing.
+TEST_CASE("the displacements of the bent sheet minimise its strain", "[bending][calibration]") {
+  // At the minimum any other displacement strains the sheet more. To first order the energy does not change,
+  // and opposite displacements cost the same.
   const RestMesh rest(delaunay(1, 0.7, 10, 3));
   const UnitBend bend(rest);
   const Vector2 d = direction(0.4);
@@ -195,14 +196,14 @@ TEST_CASE("the bent sheet's displacements leave the least strain", "[bending][ca
     }
     const double up = energy(more) - least, down = energy(less) - least;
     CHECK(up > 0);
-    CHECK_THAT(up, WithinRel(down, 1e-6));  // quadratic; energies of 1e-3 lose 1e-10 of steps of 1e-4
+    CHECK_THAT(up, WithinRel(down, 1e-6));  // quadratic; rounding of energies of 1e-3 adds 1e-10
   }
 }
 
-TEST_CASE("edges of a bent sheet fold as the angle constraint sees it", "[bending][calibration]") {
+TEST_CASE("fold angles of a bent sheet agree with the angle constraint", "[bending][calibration]") {
   const RestMesh rest(delaunay(1, 1, 8, 5));
   const Vector2 d = direction(0.7);
-  constexpr double curvature = 1e-5;  // the angle is linear in it but for κ³
+  constexpr double curvature = 1e-5;  // the angle is linear in κ up to terms of κ³
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v)
     positions(v, 2) = 0.5 * curvature * std::pow(positions.row(v).head<2>().dot(d), 2);
@@ -217,7 +218,7 @@ TEST_CASE("edges of a bent sheet fold as the angle constraint sees it", "[bendin
     const double angle = hinge_angle(bent, 1 / (bent[1] - bent[0]).norm()).value;
     CHECK_THAT(value_in(fold(flat), d) * curvature,
                WithinAbs(std::abs(angle), 1e-10) || WithinAbs(-std::abs(angle), 1e-10));
-    // Laid flat in its own frame, a hinge is turned, no more: the mean over directions stays.
+    // Laid flat in its own frame, a hinge is only turned: the mean over directions stays the same.
     double mean = 0, own = 0;
     for (int k = 0; k < 5; ++k) {
       mean += std::pow(value_in(fold(flat), direction(k * pi / 5)), 2);
@@ -227,8 +228,9 @@ TEST_CASE("edges of a bent sheet fold as the angle constraint sees it", "[bendin
   }
 }
 
-TEST_CASE("calibrated springs have the asked stiffness on any lattice", "[bending][calibration]") {
-  // The same sheet, 4 × refined, springs as long as ever: bent for real, all springs of the sheet together.
+TEST_CASE("calibrated springs have the requested stiffness on any lattice", "[bending][calibration]") {
+  // The same sheet is refined up to 4 ×, with springs of the same length. Its energy is the sum over all
+  // springs of the folded sheet.
   for (const std::string_view model : {"lod", "adaptive", "sparse_lod"}) {
     std::vector<double> ratios;
     for (const int cells : {12, 24, 48}) {
@@ -239,8 +241,8 @@ TEST_CASE("calibrated springs have the asked stiffness on any lattice", "[bendin
       const double energy = test::energy(constraints, folded_at_rows(rest, curvature));
       ratios.push_back(energy / (2e-9 / 4 * std::pow(curvature, 4) * area_of(rest)));
       INFO(model << ", " << cells << " cells: " << ratios.back());
-      // What a lattice's few directions leave in a sheet six springs wide, and four springs per vertex on 12
-      // cells more.
+      // The error that the few directions of a lattice leave in a sheet six springs wide. With four springs
+      // per vertex it is larger on 12 cells.
       const double tolerance = model == "sparse_lod" ? 0.08 : 0.05;
       CHECK_THAT(ratios.back(), WithinRel(1.0, tolerance));
     }
@@ -249,7 +251,8 @@ TEST_CASE("calibrated springs have the asked stiffness on any lattice", "[bendin
   }
 }
 
-TEST_CASE("a rigidity at a curvature is the springs' moment there", "[bending][calibration]") {
+TEST_CASE("with at_curvature, springs have the moment of the rigidity at this curvature",
+          "[bending][calibration]") {
   const RestMesh rest(equilateral(0.24, 0.24, 12));
   // B κ0 = C κ0³.
   const BendingConstraints asked =
@@ -260,7 +263,7 @@ TEST_CASE("a rigidity at a curvature is the springs' moment there", "[bending][c
     CHECK_THAT(asked.distance.softness[s], WithinRel(same.distance.softness[s], 1e-12));
 }
 
-TEST_CASE("calibrated hinges and arcs have the asked rigidity on the lattice", "[bending][calibration]") {
+TEST_CASE("calibrated hinges and arcs have the requested rigidity on the lattice", "[bending][calibration]") {
   for (const int cells : {24, 48}) {
     const RestMesh rest(equilateral(0.24, 0.24, cells));
     const double curvature = 0.5, expected = 3e-5 / 2 * curvature * curvature * area_of(rest);
@@ -268,11 +271,11 @@ TEST_CASE("calibrated hinges and arcs have the asked rigidity on the lattice", "
       INFO(model << ", " << cells << " cells");
       const BendingConstraints constraints = calibrated(model, rest, rigidity, changed);
       for (const double angle : {0.0, 0.4, 0.9, 1.3, pi / 2})
-        // Free edges lack hinges: what is left of it, as large a part of the sheet as one row is.
+        // Free edges have no hinges. The remaining error is as large as the share of one row in the sheet.
         CHECK_THAT(test::energy(constraints, test::bent(rest, curvature, angle)),
                    WithinRel(expected, 0.36 / cells));
     }
-    // Arcs measure lengths: on folds that keep them.
+    // Arcs depend on lengths, so the sheet is folded without changing the length of an edge.
     for (const std::string force : {"exact", "polynomial"}) {
       const BendingConstraints arcs = calibrated("choi_ko", rest, rigidity, {{"force", force}});
       CHECK_THAT(test::energy(arcs, folded_at_rows(rest, curvature)), WithinRel(expected, 0.02));
@@ -280,7 +283,7 @@ TEST_CASE("calibrated hinges and arcs have the asked rigidity on the lattice", "
   }
 }
 
-TEST_CASE("calibrated models have the asked stiffness on irregular sheets", "[bending][calibration]") {
+TEST_CASE("calibrated models have the requested stiffness on irregular sheets", "[bending][calibration]") {
   for (const std::uint64_t seed : {1u, 2u}) {
     const RestMesh rest(delaunay(0.24, 0.24, 20, seed));
     const UnitBend bend(rest);
@@ -307,10 +310,11 @@ TEST_CASE("calibrated models have the asked stiffness on irregular sheets", "[be
   }
 }
 
-TEST_CASE("denser springs around pins are as stiff as the rest", "[bending][calibration]") {
-  // Flat up to the last clamped row, from there on folded at every row by κ times what of the sheet is
-  // nearest to it (half a row beyond the clamp). The moment per width at a row is what the energy gains with
-  // its angle: C κ³.
+TEST_CASE("after calibration, denser springs around pins are as stiff as the rest",
+          "[bending][calibration]") {
+  // The sheet is flat up to the last clamped row, and folded at every row beyond. The angle at a row is κ
+  // times the height of the sheet that is nearest to this row (half a row for the last clamped row). The
+  // moment per width at a row, C κ³, is the derivative of the energy by the angle of this row.
   const RestMesh rest(equilateral(0.24, 0.24, 24));
   constexpr std::size_t clamp = 4, rows = 28;  // 0.24 / (√3/2 · 0.01)
   const Pins pins = make_pins(rest, select_vertices(rest, Place::bottom), clamp);
@@ -331,22 +335,22 @@ TEST_CASE("denser springs around pins are as stiff as the rest", "[bending][cali
   // m = 4 and n = 9: springs of clamped rows reach 9 rows beyond the clamp.
   for (const std::string_view model : {"lod", "adaptive"}) {
     const Changed radius = {{"radius", 0.04}};
-    const BendingConstraints own = test::built(model, rest, pins, radius),
-                             found = calibrated(model, rest, pins, quartic, radius);
-    CHECK(moment(own, clamp + 2) / moment(own, 18) > 20);
+    const BendingConstraints uncalibrated = test::built(model, rest, pins, radius),
+                             fitted = calibrated(model, rest, pins, quartic, radius);
+    CHECK(moment(uncalibrated, clamp + 2) / moment(uncalibrated, 18) > 20);
     double mean = 0;
     for (std::size_t row = clamp; row < 19; ++row) {
       INFO(model << ", row " << row);
-      const double here = moment(found, row);
+      const double here = moment(fitted, row);
       CHECK_THAT(here,
-                 WithinRel(1.0, 0.25));  // neighbours make up for each other: springs are longer than a row
+                 WithinRel(1.0, 0.25));  // springs span several rows: errors of neighbouring rows cancel
       mean += here / (19 - clamp);
     }
     CHECK_THAT(mean, WithinRel(1.0, 0.05));
   }
 }
 
-TEST_CASE("levels follow a radius, with or without a denser zone at pins", "[bending][calibration]") {
+TEST_CASE("LOD levels follow a radius, with or without a denser zone at pins", "[bending][calibration]") {
   const RestMesh rest(equilateral(1, 1, 20));
   const auto levels = [&](const Changed& changed) {
     const BendingConstraints constraints = test::built("adaptive", rest, changed);
@@ -361,7 +365,8 @@ TEST_CASE("levels follow a radius, with or without a denser zone at pins", "[ben
 }
 
 TEST_CASE("hinges of a curved rest shape are calibrated in their own planes", "[bending][calibration]") {
-  // Uniform hinges of equilateral triangles have √3/2 k (plate theory); a fine tube is made of nearly such.
+  // Uniform hinges of equilateral triangles have the rigidity √3/2 k (plate theory). The triangles of a fine
+  // tube are nearly equilateral.
   const RestMesh rest(tube(0.3, 0.3, 0.6, 48));
   const BendingConstraints constraints = calibrated("dihedral", rest, rigidity);
   const auto& list = std::get<ElementList<HingeAngle>>(constraints.elements);
@@ -370,7 +375,7 @@ TEST_CASE("hinges of a curved rest shape are calibrated in their own planes", "[
       CHECK_THAT(1 / list.softness[c], WithinRel(3e-5 * 2 / std::numbers::sqrt3, 0.03));
 }
 
-TEST_CASE("a hinge's span is what a clamp leaves of its two triangles", "[bending][calibration]") {
+TEST_CASE("a hinge spans those of its two triangles that are not clamped", "[bending][calibration]") {
   TriangleMesh mesh;
   mesh.positions.resize(4, 3);
   mesh.positions << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, -1, 0;
@@ -398,25 +403,25 @@ TEST_CASE("a hinge's span is what a clamp leaves of its two triangles", "[bendin
   CHECK(span({0, 1, 2, 3}).seen == 0);
 }
 
-TEST_CASE("how well stiffnesses fit is told of the vertices that a constraint reaches",
+TEST_CASE("the errors of the stiffness fit count only vertices that a constraint reaches",
           "[bending][calibration]") {
-  // One constraint gives two vertices three quarters and one quarter of its energy; nothing reaches the
-  // third. With the right sum the first two have 3/2 and 1/2 of what was wanted.
+  // One constraint gives two vertices three quarters and one quarter of its energy. No constraint reaches the
+  // third vertex. With the right sum the first two vertices have 3/2 and 1/2 of the requested energy.
   StiffnessFit fit(3);
   double softness = 1;
   ByDirection energy;
   energy.fill(5);
   fit.add(softness, energy, {{0, 0.75F}, {1, 0.25F}});
-  std::map<std::string, double> told;
-  for (const BendingFact& fact : fit.meet({1, 1, 1}, 1, "fit")) told[fact.name] = fact.value;
-  CHECK_THAT(told["fit_rms"], WithinRel(0.5, 1e-12));
-  CHECK_THAT(told["fit_worst"], WithinRel(0.5, 1e-12));
-  CHECK_THAT(told["fit_unreached"], WithinRel(1.0 / 3, 1e-12));
-  CHECK_THAT(told["fit_factor"], WithinRel(0.4, 1e-12));  // 2 of 5 units of energy
+  std::map<std::string, double> facts;
+  for (const BendingFact& fact : fit.meet({1, 1, 1}, 1, "fit")) facts[fact.name] = fact.value;
+  CHECK_THAT(facts["fit_rms"], WithinRel(0.5, 1e-12));
+  CHECK_THAT(facts["fit_worst"], WithinRel(0.5, 1e-12));
+  CHECK_THAT(facts["fit_unreached"], WithinRel(1.0 / 3, 1e-12));
+  CHECK_THAT(facts["fit_factor"], WithinRel(0.4, 1e-12));  // 2 of 5 units of energy
   CHECK_THAT(softness, WithinRel(2.5, 1e-12));
 }
 
-TEST_CASE("calibration refuses what it cannot give", "[bending][calibration]") {
+TEST_CASE("calibration refuses a target that a model cannot have", "[bending][calibration]") {
   const RestMesh flat(equilateral(1, 1, 12)), sleeve(tube(0.3, 0.3, 1, 14));
   const Changed radius = {{"radius", 0.2}};
   CHECK_THAT(refusal("lod", flat, rigidity, radius), ContainsSubstring("at_curvature"));
@@ -426,7 +431,7 @@ TEST_CASE("calibration refuses what it cannot give", "[bending][calibration]") {
   CHECK_THAT(refusal("adaptive", flat, quartic, {{"radius", 0.2}, {"rest_length", std::string("path")}}),
              ContainsSubstring("not at rest"));
   CHECK(refusal("none", flat, {}) == "accepted");
-  // Springs along edges bend nothing: no refusal, but a fact says so.
+  // Springs along edges do not resist bending. Calibration does not refuse them, but a fact reports it.
   CHECK(fact(calibrated("adaptive", flat, quartic), "quartic_unreached") == 1);
 }
 

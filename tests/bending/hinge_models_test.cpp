@@ -1,4 +1,4 @@
-// The models on hinges against the laws that their papers and plate theory give.
+// Models on hinges are compared with the laws of their papers and with plate theory.
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -26,7 +26,7 @@ BendingConstraints built(const Model& model, const RestMesh& rest) {
   return test::built(model.name, rest, model.changed);
 }
 
-// Two equilateral triangles of edge 1 at an edge along x, flat.
+// Two flat equilateral triangles of edge 1, which share an edge along x.
 RestMesh two_triangles() {
   TriangleMesh mesh;
   mesh.positions.resize(4, 3);
@@ -37,7 +37,7 @@ RestMesh two_triangles() {
   return RestMesh(mesh);
 }
 
-// The second triangle turned by θ about the edge; both stay rigid.
+// The second triangle turned by θ about the edge. Both triangles stay rigid.
 Positions folded(const RestMesh& rest, double theta) {
   Positions positions = rest.positions();
   const double h = std::numbers::sqrt3 / 2;
@@ -53,7 +53,8 @@ double moment(const Model& model, double theta) {
          (2 * step);
 }
 
-// 2 E / (κ² area) of the hinges in the middle of the lattice: three to every two triangles' √3/2 a².
+// 2 E / (κ² area) of the hinges in the middle of the lattice. Three hinges share the area √3/2 a² of two
+// triangles.
 double rigidity(const Model& model, double angle) {
   const RestMesh rest(equilateral(1, 1, 48));
   BendingConstraints constraints = built(model, rest);
@@ -62,7 +63,8 @@ double rigidity(const Model& model, double angle) {
     auto middle = list;
     middle.vertices.clear(), middle.rest.clear(), middle.softness.clear();
     for (std::size_t c = 0; c < list.size(); ++c) {
-      // An edge belongs to its end of lower number: three to each vertex, one of every direction.
+      // An edge belongs to its end with the lower number, so each vertex has three edges, one of every
+      // direction.
       const Vector3 at = rest.position(std::min(list.vertices[c][0], list.vertices[c][1]));
       if (at.cwiseAbs().maxCoeff() > 0.25) continue;
       middle.vertices.push_back(list.vertices[c]);
@@ -82,7 +84,7 @@ double rigidity(const Model& model, double angle) {
 TEST_CASE("moments follow the laws of their papers", "[bending]") {
   const double height = std::numbers::sqrt3 / 2;
   for (const double theta : {-3.0, -2.0, -0.5, 0.01, 0.3, 1.0, 1.7, 2.5, 3.1}) {
-    // Central differences over 1e-5 of energies of order one: 1e-10 or so, relative to a moment of order θ.
+    // The error of central differences with a step of 1e-5 is about 1e-10 for energies of order one.
     const auto check = [&](const Model& model, double expected) {
       INFO(model.name << " at " << theta);
       CHECK_THAT(moment(model, theta), WithinAbs(expected, 1e-7 * std::abs(expected) + 1e-9));
@@ -93,17 +95,18 @@ TEST_CASE("moments follow the laws of their papers", "[bending]") {
     check({"bridson"}, weight / 2 * std::sin(theta / 2));
     // |Kx| = 2 edge sin(θ/2), U = ½ q |Kx|² with q = 3 / area.
     check({"isometric"}, 3 * weight * std::sin(theta));
-    // As libraries ship it: U = ½ (½ q |Kx|²)².
+    // U = ½ (½ q |Kx|²)², as libraries implement it.
     const double bergou = 6 * weight * std::pow(std::sin(theta / 2), 2);
     check({"isometric", {{"constraint", std::string("energy")}}}, bergou * 3 * weight * std::sin(theta));
-    // The flaps' distance 2 h cos(θ/2): a spring is cubic near flat and strongest folded shut.
+    // The flaps are 2 h cos(θ/2) apart. The moment of a spring between them is cubic in θ near the flat
+    // state, and largest when the hinge is folded shut.
     check({"crossover"}, 2 * height * height * (1 - std::cos(theta / 2)) * std::sin(theta / 2));
   }
 }
 
 TEST_CASE("a triangle without area has no hinge", "[bending]") {
-  // A triangle of height h on an edge of length 1: below 10⁻⁷ of the mesh's size it counts as a line, whose
-  // normal is rounding.
+  // A triangle of height h on an edge of length 1. If h is below 10⁻⁷ of the mesh's size, the triangle counts
+  // as a line, because its normal would consist of rounding.
   const auto hinges = [](double h) {
     TriangleMesh mesh;
     mesh.positions = (Positions(4, 3) << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, -h, 0).finished();
@@ -115,7 +118,7 @@ TEST_CASE("a triangle without area has no hinge", "[bending]") {
   CHECK(hinges(1e-9) == 0);
 }
 
-TEST_CASE("signed hinges keep the sense of a fold up to 170 degrees", "[bending]") {
+TEST_CASE("signed hinges keep the direction of a fold up to 170 degrees", "[bending]") {
   for (const double degrees : {-170.0, -90.0, -5.0, 5.0, 90.0, 170.0}) {
     const double theta = degrees * pi / 180;
     const RestMesh flat = two_triangles();
@@ -127,17 +130,17 @@ TEST_CASE("signed hinges keep the sense of a fold up to 170 degrees", "[bending]
       const BendingConstraints constraints = built(model, rest);
       CHECK_THAT(energy(constraints, rest.positions()), WithinAbs(0, 1e-24));
       CHECK(energy(constraints, folded(flat, -theta)) > energy(constraints, folded(flat, 0.9 * theta)));
-      // Downhill leads to the rest angle, from flat too.
+      // The energy falls towards the rest angle, also from the flat state.
       CHECK(energy(constraints, folded(flat, 0.1 * theta)) < energy(constraints, folded(flat, 0)));
     }
-    // What knows no direction holds both senses alike.
+    // A model without a sign cannot tell the two directions of the fold apart.
     const BendingConstraints blind = built({"isometric"}, rest);
     CHECK_THAT(energy(blind, folded(flat, -theta)), WithinAbs(0, 1e-24));
   }
 }
 
 TEST_CASE("flexural rigidities on the equilateral lattice", "[bending]") {
-  // Developable cylinder, any direction; k = 1 of each model's own constant.
+  // The sheet lies on a cylinder in any direction. The constant of each model is k = 1.
   for (const double degrees : {0.0, 10.0, 20.0, 30.0, 45.0, 75.0, 90.0}) {
     const double angle = degrees * pi / 180;
     INFO(degrees);
@@ -151,8 +154,8 @@ TEST_CASE("flexural rigidities on the equilateral lattice", "[bending]") {
 }
 
 TEST_CASE("matched hinge models agree near flat", "[bending]") {
-  // Any mesh, any small deflection: θ, 2 sin(θ/2) and |Kx| / |e| are one and the same to first order, so with
-  // the moduli matched (D, 6 k, 4 D, D / 3) energies differ by the square of the largest fold angle.
+  // On any mesh and for any small deflection, θ, 2 sin(θ/2) and |Kx| / |e| are equal to first order. With
+  // matched moduli (D, 6 k, 4 D, D / 3), energies therefore differ by the square of the largest fold angle.
   for (const TriangleMesh& mesh : {delaunay(1, 1, 12, 4), grid(1, 1, 10, 10), equilateral(1, 1, 12)}) {
     const RestMesh rest(mesh);
     double last = 1;
@@ -174,8 +177,8 @@ TEST_CASE("matched hinge models agree near flat", "[bending]") {
 }
 
 TEST_CASE("a curved rest shape stays still", "[bending]") {
-  // No forces: every model that can hold a quarter of a tube, a sleeve and a skirt takes lengths and angles
-  // from the rest shape.
+  // A quarter of a tube, a sleeve and a skirt feel no forces: every model takes its rest lengths and rest
+  // angles from the rest shape.
   TriangleMesh quarter = grid(1, 1, 12, 12, Diagonal::alternating);
   quarter.positions = bent(RestMesh(quarter), pi / 2, 0.4);
   for (const auto& [shape, mesh] :
@@ -184,14 +187,14 @@ TEST_CASE("a curved rest shape stays still", "[bending]") {
     const RestMesh rest(mesh);
     for (const BendingKind* model : bending_models())
       for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
-        if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
+        if (model->prestressed) continue;  // its springs stretch the sheet
         INFO(model->name << ", " << shape);
         SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), model->name);
         input.bending_stiffness = {.kind = kind, .k = 0.5, .compliance = 1e-4};
         const auto simulation = make_simulation<double>(input, {});
         for (int s = 0; s < 100; ++s) REQUIRE(simulation->step());
-        // Rounding of some 10⁶ projections that each find an error of 10⁻¹⁶. What only pushes turns it into a
-        // speed, and nothing brings it back.
+        // Rounding of about 10⁶ projections, each with an error of 10⁻¹⁶. Constraints that only push turn
+        // this error into a speed that nothing stops.
         const double drift = model->name == "choi_ko" ? 1e-10 : 1e-11;
         CHECK((simulation->positions() - rest.positions()).norm() <= drift);
       }

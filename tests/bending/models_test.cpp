@@ -1,4 +1,4 @@
-// What every registered model must do on every shape, and spring counts by hand.
+// Properties that every registered model must have on every shape, and spring counts computed by hand.
 #include <algorithm>
 #include <set>
 
@@ -48,15 +48,15 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
           REQUIRE((a >= 0 && b >= 0 && a < rest.vertex_count() && b < rest.vertex_count()));
           CHECK(a != b);
           CHECK_FALSE((pins.pinned(a) && pins.pinned(b)));
-          // At rest nothing is corrected: the rest length is the distance, or 2 % more where the model wants
-          // a push.
+          // At rest nothing is corrected: the rest length is the distance, or 2 % more if the model's springs
+          // are meant to push.
           CHECK_THAT(
               springs.rest(s),
               Catch::Matchers::WithinRel(
                   (model->prestressed ? 1.02 : 1) * (rest.position(a) - rest.position(b)).norm(), 1e-14));
         }
         CHECK(constraints_of(BendingModel(*model), {rest, pins}).distance.vertices ==
-              springs.vertices);  // a pure function
+              springs.vertices);  // building twice gives the same springs
         CHECK_FALSE(model->summary.empty());
         CHECK_FALSE(model->source.empty());
         CHECK_FALSE(model->limits.empty());
@@ -70,19 +70,19 @@ TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   for (const BendingKind* model : bending_models())
     for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
-      if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
+      if (model->prestressed) continue;  // its springs stretch the sheet
       INFO(model->name);
       SimulationInput input = test::sheet(rest, no_pins(rest), model->name);
       input.bending_stiffness = {.kind = kind, .k = 1, .compliance = 1e-6};
       input.positions = (rest.positions() * turn.transpose()).rowwise() + Eigen::RowVector3d(0.3, -0.2, 0.5);
       const auto simulation = make_simulation<double>(input, {});
       for (int s = 0; s < 20; ++s) REQUIRE(simulation->step());
-      // Rounding of coordinates of order 1, some 10⁴ projections; strain constraints take part.
+      // Rounding of coordinates of order 1 in about 10⁴ projections, including strain constraints.
       CHECK((simulation->positions() - input.positions).cwiseAbs().maxCoeff() <= 1e-12);
     }
 }
 
-TEST_CASE("a model says whether it is made of springs alone, and whether they only push", "[bending]") {
+TEST_CASE("models state whether they consist of springs alone, and whether they only push", "[bending]") {
   const RestMesh rest(grid(1, 1, 6, 6));
   for (const BendingKind* model : bending_models()) {
     INFO(model->name);
@@ -96,20 +96,21 @@ TEST_CASE("a model says whether it is made of springs alone, and whether they on
   }
 }
 
-TEST_CASE("a model whose constraints differ in softness is refused with k, unless it says so", "[bending]") {
+TEST_CASE("a model of constraints that differ in softness is refused with k, unless it allows k",
+          "[bending]") {
   const RestMesh rest(grid(1, 1, 2, 2));
-  const BendingKind own{.name = "own"}, told{.name = "own", .softness_needs_compliance = true};
+  const BendingKind own{.name = "own"}, declared{.name = "own", .softness_needs_compliance = true};
   BendingConstraints constraints;
   constraints.distance.vertices.push_back({0, 1});
   constraints.distance.rest_length = {0.5};
-  CHECK_FALSE(unknown_to_k(own, constraints));  // no softness is a softness of 1
+  CHECK_FALSE(unknown_to_k(own, constraints));  // without a list of softness, every softness is 1
   constraints.distance.softness = {1};
   CHECK_FALSE(unknown_to_k(own, constraints));
-  constraints.distance.softness = {2};  // half as stiff: k would not show it
+  constraints.distance.softness = {2};  // half as stiff, which k cannot express
   REQUIRE(unknown_to_k(own, constraints));
   CHECK(unknown_to_k(own, constraints)->find("'own'") != std::string::npos);
-  CHECK_FALSE(unknown_to_k(told, constraints));
-  // Every registered model can be had with k, which is the paper's stiffness.
+  CHECK_FALSE(unknown_to_k(declared, constraints));
+  // Every registered model can be used with k, which is the paper's stiffness.
   const Pins pins = no_pins(rest);
   for (const BendingKind* model : bending_models()) {
     INFO(model->name);
@@ -117,7 +118,7 @@ TEST_CASE("a model whose constraints differ in softness is refused with k, unles
   }
 }
 
-TEST_CASE("spring counts by hand", "[bending]") {
+TEST_CASE("spring counts agree with counts by hand", "[bending]") {
   for (const int n : {3, 8, 16}) {
     const RestMesh rest(grid(1, 1, n, n));
     const auto cells = static_cast<std::size_t>(n);
@@ -127,10 +128,11 @@ TEST_CASE("spring counts by hand", "[bending]") {
     CHECK(count("k_ring", rest, no_pins(rest), {{"k", std::int64_t{1}}}) == edges);
     CHECK(count("k_ring", rest, no_pins(rest),
                 {{"k", std::int64_t{1}}, {"rings", std::string("beyond_edges")}}) == 0);
-    // Wider than the mesh: every pair once.
+    // A ring wider than the mesh gives every pair of vertices once.
     const std::size_t vertices = (cells + 1) * (cells + 1);
     CHECK(count("k_ring", rest, no_pins(rest), {{"k", std::int64_t{1000}}}) == vertices * (vertices - 1) / 2);
-    // Lines through an interior vertex: its three edge directions; along the boundary its one.
+    // Straight lines of two edges: three through each interior vertex, one through each vertex of the
+    // boundary except the corners.
     const std::size_t interior = (cells - 1) * (cells - 1);
     CHECK(count("crossover", rest, no_pins(rest), {{"pairs", std::string("straight")}}) ==
           3 * interior + 4 * (cells - 1));
@@ -138,7 +140,7 @@ TEST_CASE("spring counts by hand", "[bending]") {
 }
 
 TEST_CASE("rings of a hexagonal neighbourhood have 3 r springs per vertex", "[bending]") {
-  // On a disc of triangles the centre sees 6 r vertices in ring r.
+  // On a disc of triangles, ring r of the centre has 6 r vertices.
   const RestMesh rest(disc(1, 6));
   for (const std::int64_t k : {1, 2, 3, 5}) {
     const auto springs =
@@ -150,8 +152,8 @@ TEST_CASE("rings of a hexagonal neighbourhood have 3 r springs per vertex", "[be
 }
 
 TEST_CASE("adaptive and LOD counts agree with an independent implementation", "[bending]") {
-  // Spring counts of a separate sketch of the paper (unit square, one diagonal, one corner and its 1-ring
-  // pinned).
+  // Spring counts of a separate implementation of the paper (unit square, parallel diagonals, one corner and
+  // its 1-ring pinned).
   struct Case {
     const char* model;
     int cells;
@@ -168,8 +170,8 @@ TEST_CASE("adaptive and LOD counts agree with an independent implementation", "[
   }
 }
 
-TEST_CASE("levels follow their settings", "[bending]") {
-  const RestMesh rest(grid(1, 1, 16, 16));  // unrounded m = 1.50
+TEST_CASE("LOD levels follow their settings", "[bending]") {
+  const RestMesh rest(grid(1, 1, 16, 16));  // m = 1.50 before rounding
   const auto levels = [&](const test::Changed& changed) {
     const auto facts = built("adaptive", rest, no_pins(rest), changed).facts;
     return std::pair(static_cast<int>(facts[1].value), static_cast<int>(facts[2].value));
@@ -180,7 +182,7 @@ TEST_CASE("levels follow their settings", "[bending]") {
   CHECK(levels({{"n_multiplier", std::int64_t{4}}}) == std::pair(1, 12));
 }
 
-TEST_CASE("ring options change what they say", "[bending]") {
+TEST_CASE("ring options have their documented effect", "[bending]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   const Pins pins = corner_pin(rest, 1);
   const auto k = std::pair<std::string, Value>{"k", std::int64_t{2}};
@@ -191,13 +193,14 @@ TEST_CASE("ring options change what they say", "[bending]") {
   CHECK(twice.size() == 2 * plain.size());
   CHECK(pair_set(twice) == pair_set(plain));
 
-  // Corner, its two boundary neighbours and the one across its diagonal: C(4, 2) pairs, all within two rings.
+  // Pinned are the corner, its two neighbours on the boundary and its neighbour along the diagonal: C(4, 2)
+  // pairs, all within two rings.
   const std::size_t pinned = pins.all.size();
   const DistanceConstraints kept =
       built("k_ring", rest, pins, {k, {"pinned_pairs", std::string("keep")}}).distance;
   CHECK(kept.size() == plain.size() + pinned * (pinned - 1) / 2);
 
-  // Straight distance: all pairs within two mean edge lengths.
+  // With straight distances: all pairs within two mean edge lengths.
   const DistanceConstraints straight =
       built("k_ring", rest, no_pins(rest), {k, {"distance", std::string("euclidean")}}).distance;
   std::size_t expected = 0;
@@ -206,7 +209,8 @@ TEST_CASE("ring options change what they say", "[bending]") {
       expected += (rest.position(a) - rest.position(b)).norm() <= 2 * rest.mean_edge_length();
   CHECK(straight.size() == expected);
 
-  // Along edges: never shorter than straight, and a knight's move is an edge and a diagonal.
+  // Lengths along edges are never shorter than straight ones, and a knight's move is as long as an edge and a
+  // diagonal.
   const DistanceConstraints path =
       built("k_ring", rest, no_pins(rest), {k, {"rest_length", std::string("path")}}).distance;
   const double cell = 1.0 / 8;
@@ -218,7 +222,7 @@ TEST_CASE("ring options change what they say", "[bending]") {
   }
 }
 
-TEST_CASE("LOD with ring 1 has the mesh's edges besides its ring t, each once", "[bending]") {
+TEST_CASE("LOD with ring_1 has the springs of ring t and all mesh edges, without duplicates", "[bending]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   const Pins pins = no_pins(rest);
   const int t = GENERATE(1, 2, 3, 5);
@@ -231,7 +235,7 @@ TEST_CASE("LOD with ring 1 has the mesh's edges besides its ring t, each once", 
   CHECK(both.size() == expected.size());
 }
 
-TEST_CASE("the pinned ring counts as pinned, or only the pin", "[bending]") {
+TEST_CASE("vertices of the pinned ring count as pinned unless a setting excludes them", "[bending]") {
   const RestMesh rest(grid(1, 1, 32, 32));
   const Pins pins = corner_pin(rest, 1);
   CHECK(count("adaptive", rest, pins) > count("adaptive", rest, pins, {{"pinned_ring_is_pinned", false}}));

@@ -1,4 +1,5 @@
-// Springs that push in the flat sheet: their moment is linear in the curvature, and the membrane holds them.
+// Springs that push in the flat sheet: their moment is linear in the curvature, and the membrane holds the
+// sheet together.
 #include <cmath>
 
 #include "bendlab/bending/calibration.hpp"
@@ -34,27 +35,28 @@ TEST_CASE("springs that push have an energy quadratic in the curvature", "[bendi
       return energy_over_flat(constraints, rest, 2 * curvature, angle) /
              energy_over_flat(constraints, rest, curvature, angle);
     };
-    // L = 1/8: terms of the next order are (κ L)² / 20 of the first and less.
+    // L = 1/8: terms of the next order are at most (κ L)² / 20 of the first.
     CHECK_THAT(growth(pushing, 0.5), WithinRel(4.0, 1e-3));
     CHECK_THAT(growth(resting, 0.5), WithinRel(16.0, 1e-3));
   }
 }
 
-TEST_CASE("a spring's linear and cubic part are as its excess says", "[bending]") {
-  // ½ (e L + δ)² - ½ (e L)² = e L δ + ½ δ², δ = L - (2/κ) sin(κ L / 2) along the bend: equal parts at δ = 2 e
-  // L.
+TEST_CASE("the excess of a spring sets the ratio of its linear and cubic parts", "[bending]") {
+  // ½ (e L + δ)² - ½ (e L)² = e L δ + ½ δ², with δ = L - (2/κ) sin(κ L / 2) along the bend. Both parts are
+  // equal at δ = 2 e L.
   const RestMesh rest(grid(4, 1, 4, 1));
   const double excess = 0.02, length = 2;
-  BendingConstraints one;
-  one.distance = {.vertices = {{0, 2}}, .rest_length = {length * (1 + excess)}, .softness = {1}};
+  BendingConstraints spring;
+  spring.distance = {.vertices = {{0, 2}}, .rest_length = {length * (1 + excess)}, .softness = {1}};
   const double curvature = std::sqrt(48 * excess) / length;
   Positions positions = test::bent(rest, curvature, pi / 2);
   const double shorter = length - (positions.row(0) - positions.row(2)).norm();
-  const double energy = test::energy(one, positions) - test::energy(one, rest.positions());
-  CHECK_THAT(energy, WithinRel(2 * excess * length * shorter, 0.02));  // (κ L)² / 80 of δ is of higher order
+  const double energy = test::energy(spring, positions) - test::energy(spring, rest.positions());
+  // Terms of higher order are (κ L)² / 80 of δ.
+  CHECK_THAT(energy, WithinRel(2 * excess * length * shorter, 0.02));
 }
 
-TEST_CASE("calibrated springs that push have the asked rigidity, on irregular meshes too",
+TEST_CASE("calibrated springs that push have the requested rigidity, also on irregular meshes",
           "[bending][calibration]") {
   constexpr double rigidity = 3e-5, curvature = 0.5;
   for (const TriangleMesh& mesh : {equilateral(0.24, 0.24, 24), delaunay(0.24, 0.24, 24, 3)}) {
@@ -69,14 +71,14 @@ TEST_CASE("calibrated springs that push have the asked rigidity, on irregular me
       sum += energy_over_flat(constraints, rest, curvature, pi * d / directions);
     double area = 0;
     for (const double a : rest.areas()) area += a;
-    // On a smooth cylinder instead of the mesh bent without strain: a pair t edges apart shortens by 1 / (1 -
-    // 1/t²) more, t = 4.
+    // The calibration bends the mesh without strain, this test bends it on a smooth cylinder. There a pair t
+    // = 4 edges apart shortens by the factor 1 / (1 - 1/t²) more.
     CHECK_THAT(sum / directions,
                WithinRel(rigidity / 2 * curvature * curvature * area / (1 - 1 / 16.0), 0.02));
   }
 }
 
-TEST_CASE("a sheet grows by what its membrane gives way to the push", "[bending]") {
+TEST_CASE("springs that push stretch a sheet as the virial theorem predicts", "[bending]") {
   // The virial of a sheet at rest is zero: Σ f L = ∫ tr σ, with σ = ε / compliance of warp and weft.
   const RestMesh rest(equilateral(1, 1, 16));
   SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 0), "prestressed");
@@ -98,12 +100,13 @@ TEST_CASE("a sheet grows by what its membrane gives way to the push", "[bending]
     const Vector3 a = x.row(corner(0)), b = x.row(corner(1)), c = x.row(corner(2));
     stretched += 0.5 * (b - a).cross(c - a).norm() - rest.areas()[static_cast<std::size_t>(t)];
   }
-  // What stretches the membrane shortens the push by as much of the excess: 1e-4 of 2e-2.
+  // A stretch of the membrane reduces the excess by as much, here 1e-4 of 2e-2.
   CHECK_THAT(stretched, WithinRel(membrane * virial, 0.02));
   CHECK(stretched < 1e-3 * area);
 }
 
-TEST_CASE("projected with k, springs that push make a sheet grow by about their excess", "[bending]") {
+TEST_CASE("projected with k, springs that push make a sheet grow by at most twice their excess",
+          "[bending]") {
   const RestMesh rest(grid(1, 1, 16, 16));
   const auto simulation =
       make_simulation<double>(test::sheet(rest, make_pins(rest, {}, 0), "prestressed"), {});
@@ -115,7 +118,7 @@ TEST_CASE("projected with k, springs that push make a sheet grow by about their 
     length += (x.row(a) - x.row(b)).norm(), before += (rest.position(a) - rest.position(b)).norm();
   }
   CHECK(length > before * (1 + 1e-4));
-  CHECK(length < before * (1 + 2 * 0.02));  // nothing damps it: at most twice as far as where it would rest
+  CHECK(length < before * (1 + 2 * 0.02));  // without damping it swings to at most twice its rest growth
 }
 
 }  // namespace

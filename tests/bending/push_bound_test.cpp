@@ -1,4 +1,4 @@
-// Springs that push as hard as a solver can hold.
+// The bound on the push of springs, so that the solver can hold the sheet together.
 #include "bendlab/bending/push_bound.hpp"
 
 #include <cmath>
@@ -29,7 +29,7 @@ double length_of(const RestMesh& rest, const std::array<int, 2>& pair) {
   return (rest.position(pair[0]) - rest.position(pair[1])).norm();
 }
 
-// By how much the edges of a sheet have grown, root mean square, after a quarter of a second without loads.
+// The growth of the edges of a sheet after a quarter of a second without loads, as a root mean square.
 double growth(const RestMesh& rest, const DistanceConstraints& pushing, int substeps) {
   SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 0), "none", density);
   input.distance = pushing;
@@ -59,15 +59,16 @@ TEST_CASE("springs that push do not tear apart a sheet whose solver cannot hold 
       const auto bound = bound_push(held, rest, lumped_masses(rest, density), dt / substeps, 1);
       REQUIRE(bound);
       INFO(rest.triangle_count() << " triangles, " << substeps << " substeps, G " << bound->growth);
-      const double found = growth(rest, held, substeps);
-      // Twice what is tolerated: nothing damps the sheet, it swings to twice where it would rest.
-      CHECK(found < 2 * tolerated_growth);
-      if (bound->expected > 0.2) CHECK(growth(rest, stated, substeps) > 2 * found);
+      const double bounded_growth = growth(rest, held, substeps);
+      // Twice the tolerated growth: without damping the sheet swings to twice its growth at rest.
+      CHECK(bounded_growth < 2 * tolerated_growth);
+      if (bound->expected > 0.2) CHECK(growth(rest, stated, substeps) > 2 * bounded_growth);
     }
   }
 }
 
-TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is left alone", "[bending]") {
+TEST_CASE("bounding the excess keeps the force at rest, and springs that the solver holds stay as they are",
+          "[bending]") {
   const RestMesh rest(equilateral(0.2, 0.2, 10));
   const std::vector<double> mass = lumped_masses(rest, density);
   const DistanceConstraints stated = springs(rest, 1);
@@ -93,7 +94,7 @@ TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is 
   CHECK(bounded->taken < 0.1);
   CHECK_THAT(bounded->growth / kept->growth, WithinRel(1024.0 * 1024, 1e-9));
 
-  // What it says helps, helps: so many times as many substeps, and no fewer than half of them.
+  // The remedy in the warning helps: that many times as many substeps are enough, half of them are not.
   const auto with = [&](int substeps) {
     DistanceConstraints again = stated;
     return !push_warning(*bound_push(again, rest, mass, dt / substeps, 1));
@@ -104,16 +105,16 @@ TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is 
   CHECK_THAT(warning, ContainsSubstring("N/m") &&
                           ContainsSubstring(std::to_string(bounded->substeps_factor) + " times"));
 
-  // The default excess is below what is tolerated, and springs at rest do not push.
+  // The default excess is below the tolerated growth, and springs at rest do not push.
   DistanceConstraints usual = springs(rest, 0.02);
   CHECK_FALSE(push_warning(*bound_push(usual, rest, mass, dt, 1)));
   DistanceConstraints resting = test::built("sparse_lod", rest).distance;
   CHECK_FALSE(bound_push(resting, rest, mass, dt, 1));
 }
 
-TEST_CASE("the tension of springs that push, by hand", "[bending]") {
-  // The sides and one diagonal of a square of 2 m pushed apart: a spring of length L with the force f has the
-  // virial f L, and T is their sum over twice the area of 4 m².
+TEST_CASE("the tension of springs that push agrees with a computation by hand", "[bending]") {
+  // Springs push apart the sides and a diagonal of a square of 2 m. A spring of length L with the force f has
+  // the virial f L. T is the sum of the virials over twice the area of 4 m².
   const RestMesh rest(grid(2, 2, 1, 1));
   DistanceConstraints springs;
   const auto add = [&](int a, int b, double excess, double softness) {
@@ -123,12 +124,12 @@ TEST_CASE("the tension of springs that push, by hand", "[bending]") {
   };
   add(0, 1, 0.1, 1);   // longer by 0.2 m: f = 0.2 N at 1 m/N, f L = 0.4
   add(0, 2, 0, 1);     // at rest
-  add(1, 3, -0.1, 1);  // it pulls, which the membrane does not mind
+  add(1, 3, -0.1, 1);  // pulls: not part of the tension
   add(0, 3, 0.1, 2);   // √8 m: f = 0.1 √8 / 2, f L = 0.4
   CHECK_THAT(push_tension(springs, rest, 1), WithinRel(0.8 / (2 * 4), 1e-12));
   CHECK_THAT(push_tension(springs, rest, 0.01), WithinRel(10, 1e-12));  // N/m
 
-  // 10 N/m stretch a membrane of 100 N/m by a tenth, and one of 1000 N/m by a hundredth.
+  // 10 N/m stretch a membrane of 100 N/m by a tenth, and a membrane of 1000 N/m by a hundredth.
   CHECK(push_on_membrane_warning(10, 0.01));
   CHECK_FALSE(push_on_membrane_warning(10, 0.001));
   CHECK_FALSE(push_on_membrane_warning(0, 1));
@@ -136,13 +137,13 @@ TEST_CASE("the tension of springs that push, by hand", "[bending]") {
 }
 
 TEST_CASE("a method that softens the membrane leaves it stiff enough for springs that push", "[bending]") {
-  // T = 10 N/m may stretch it by membrane_error, 3·10⁻³, and never by more than a few percent.
+  // T = 10 N/m may stretch the membrane by membrane_error, here 3·10⁻³, and never by more than a few percent.
   CHECK_THAT(membrane_for_push(10, 3e-3), WithinRel(10 / 3e-3, 1e-12));
   CHECK_THAT(membrane_for_push(10, 0.3), WithinRel(10 / 0.04, 1e-12));
   CHECK(membrane_for_push(0, 3e-3) == 0);
 
-  // A strip of 0.3 m without gravity's help: its own weight asks for 5 ρ g A / (L error) = 100 N/m, its
-  // springs for T / error.
+  // A strip of 0.3 m. Its own weight asks for a membrane of 5 ρ g A / (L error) = 100 N/m, its springs for
+  // T / error.
   const RestMesh rest(grid(0.3, 0.03, 30, 3));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
   BendingConstraints constraints = test::built("prestressed", rest, pins, {{"excess", 1.0}});
@@ -156,7 +157,7 @@ TEST_CASE("a method that softens the membrane leaves it stiff enough for springs
   input.push_tension = push_tension(input.distance, rest, 1);
   const auto simulation = make_simulation<double>(input, {});
   for (int step = 0; step < 30; ++step) REQUIRE(simulation->step());
-  // The edges along it have grown by no more than that, and what iterations leave.
+  // Edges along the strip have grown by no more than this error and the error of the iterations.
   const Positions x = simulation->positions();
   const double end = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
   CHECK(end < 1.01 * rest.size());

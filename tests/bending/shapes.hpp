@@ -1,4 +1,4 @@
-// What models build, bent shapes, and the energy of the one in the other.
+// Constraints that models build, bent shapes, and the energy of these constraints in these shapes.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace bendlab::test {
 
 using Changed = Changes;
 
-/// What a model builds with some settings changed from their defaults.
+/// The constraints of a model, with some settings changed from their defaults.
 inline BendingConstraints built(std::string_view model, const RestMesh& rest, const Pins& pins,
                                 const Changed& changed = {}) {
   return constraints_of(chosen(*find_bending_model(model), changed), {rest, pins});
@@ -21,12 +21,12 @@ inline BendingConstraints built(std::string_view model, const RestMesh& rest, co
   return built(model, rest, make_pins(rest, {}, 0), changed);
 }
 
-/// J, at compliance 1.
+/// Bending energy, J, at compliance 1.
 inline double energy(const BendingConstraints& constraints, const Positions& positions) {
   return elastic_energy(constraints.distance, positions) + elastic_energy(constraints.elements, positions);
 }
 
-/// A flat sheet on a cylinder of curvature κ whose axis is at `angle` from the x axis.
+/// A flat sheet laid on a cylinder of curvature κ, whose axis is at `angle` to the x axis.
 inline Positions bent(const RestMesh& rest, double curvature, double angle) {
   Positions positions = rest.positions();
   const double c = std::cos(angle), s = std::sin(angle);

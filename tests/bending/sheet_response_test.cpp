@@ -1,5 +1,5 @@
-// What a sheet of hinges answers to small bending, by closed forms on lattices and grids, and by clamped
-// strips.
+// The rigidity of a sheet of hinges under small bending, compared with closed forms on lattices and grids,
+// and with clamped strips.
 #include "bendlab/bending/sheet_response.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-// Every hinge with the energy ½ θ².
+// All hinges of the mesh, each with the energy ½ θ².
 std::vector<HeightStencil> uniform_hinges(const RestMesh& rest, std::span<const Vector2> plane) {
   std::vector<HeightStencil> stencils;
   for (const Hinge& hinge : rest.hinges()) {
@@ -41,9 +41,9 @@ SheetResponse::Answer answer_of(const RestMesh& rest, int patch = 0) {
 }
 
 double fact(const BendingConstraints& constraints, std::string_view name) {
-  const auto found = std::ranges::find(constraints.facts, name, &BendingFact::name);
-  REQUIRE(found != constraints.facts.end());
-  return found->value;
+  const auto match = std::ranges::find(constraints.facts, name, &BendingFact::name);
+  REQUIRE(match != constraints.facts.end());
+  return match->value;
 }
 
 BendingConstraints calibrated(std::string_view model, const RestMesh& rest, const Pins& pins, double rigidity,
@@ -53,8 +53,7 @@ BendingConstraints calibrated(std::string_view model, const RestMesh& rest, cons
   return constraints;
 }
 
-// A strip beyond a clamp that is wide against its length, so that it bends to a cylinder whatever Poisson's
-// ratio is.
+// A clamped strip. It is wide compared with its length, so it bends to a cylinder for any Poisson's ratio.
 struct Strip {
   static constexpr double density = 0.2, stated = 1e-3;
   RestMesh rest;
@@ -75,7 +74,7 @@ struct Strip {
     length = rest.box_max().x() - clamp;
   }
 
-  // Under a load with which the stated rigidity makes the tip sink by a thousandth of the length.
+  // The gravity, m/s², under which the tip would sink by a thousandth of the length at the stated rigidity.
   double gravity() const { return 8e-3 * stated / (density * std::pow(length, 3)); }
 
   double tip(const Positions& positions) const {
@@ -95,7 +94,7 @@ struct Strip {
     return simulation->positions();
   }
 
-  // ρ g L⁴ / 8 tip, over the stated rigidity.
+  // The rigidity measured at the tip, ρ g L⁴ / (8 tip), over the stated rigidity.
   double share() const { return 1e-3 * length / -tip(equilibrium()); }
 };
 
@@ -103,43 +102,45 @@ struct Strip {
 
 TEST_CASE("on alternating diagonals a sheet bent a little keeps three quarters of the cylinder's energy",
           "[bending][calibration]") {
-  // Per area h² of a cell, all hinges ½ θ²: those along the axes are second differences at the vertices of
-  // valence 4, κh; those along the diagonals see √2 κxy h. D = 1, 1 and 2. All vertices of valence 4 shifted
-  // by u h/2 against the others: (κxx h - u)² + (κyy h - u)² + 2 u² per such vertex, least at u = (κxx + κyy)
-  // h / 4: D11 = 3/4, D12 = -1/4.
+  // Every hinge has ½ θ², per cell area h². Hinges along the axes are second differences at the vertices of
+  // valence 4 and have θ = κ h; hinges along the diagonals have θ = √2 κxy h. So D = 1, 1 and 2. Now shift
+  // all vertices of valence 4 by u h/2 against the other vertices. The energy per shifted vertex is
+  // proportional to (κxx h - u)² + (κyy h - u)² + 2 u². The minimum at u = (κxx + κyy) h / 4 gives D11 = 3/4,
+  // D12 = -1/4.
   const SheetResponse::Answer answer = answer_of(RestMesh(grid(1, 1, 24, 24, Diagonal::alternating)));
   Rigidity stated, relaxed;
   stated << 1, 0, 0, 0, 1, 0, 0, 0, 2;
   relaxed << 0.75, -0.25, 0, -0.25, 0.75, 0, 0, 0, 2;
-  // The measure fades over ten cells as the square of the way in: over a cell's half it is 1/2 (1/10)² of it
-  // curved.
+  // The weight of the measurement fades over ten cells at the rim, as the square of the distance from the
+  // rim. Its curvature over half a cell leaves an error of 1/2 (1/10)².
   CHECK((answer.unrelaxed - stated).cwiseAbs().maxCoeff() < 6e-3 * 2);
   CHECK((answer.relaxed - relaxed).cwiseAbs().maxCoeff() < 6e-3 * 2);
   for (const double angle : {0.0, 0.4, 0.8, 1.2}) {
     const Vector2 d(std::cos(angle), std::sin(angle));
     CHECK_THAT(cylinder_rigidity(answer.relaxed, d), WithinRel(0.75, 6e-3));
-    // Isotropic, D12 / D11 = -1/3: a strip has 1 - 1/9 of it.
+    // The sheet is isotropic with D12 / D11 = -1/3, so a strip has 1 - 1/9 of the rigidity.
     CHECK_THAT(strip_rigidity(answer.relaxed, d), WithinRel(0.75 * 8 / 9, 6e-3));
   }
 }
 
 TEST_CASE("an equilateral lattice bends as stated, with a Poisson ratio of -1/3", "[bending][calibration]") {
-  // A hinge sees (κ_nn - κ_tt / 3) times its height √3/2 a, three directions of hinges: ½ θ² each is the
-  // energy of an isotropic plate with D11 = √3/2, D12 = -D11 / 3, D33 = 2 (1 - ν) D11. A lattice whose
-  // vertices are all alike is in balance with even curvature.
+  // The angle of a hinge is (κ_nn - κ_tt / 3) times its height √3/2 a. Summed over the three directions of
+  // hinges, ½ θ² is the energy of an isotropic plate with D11 = √3/2, D12 = -D11 / 3, D33 = 2 (1 - ν) D11.
+  // All vertices are alike, so the lattice is in equilibrium under uniform curvature: relaxing changes
+  // nothing.
   const SheetResponse::Answer answer = answer_of(RestMesh(equilateral(1, 1, 24)));
   Rigidity plate;
   plate << 1, -1.0 / 3, 0, -1.0 / 3, 1, 0, 0, 0, 8.0 / 3;
   plate *= std::sqrt(3.0) / 2;
-  CHECK((answer.unrelaxed - plate).cwiseAbs().maxCoeff() < 1e-2);  // rows of three kinds of edges at the rim
+  CHECK((answer.unrelaxed - plate).cwiseAbs().maxCoeff() < 1e-2);  // the rim has rows of three kinds of edges
   CHECK((answer.relaxed - answer.unrelaxed).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("the response is the sheet's, however it lies and whatever is measured of it",
+TEST_CASE("the response of a sheet does not depend on its rotation or on the measured patch",
           "[bending][calibration]") {
   TriangleMesh mesh = delaunay(1, 1, 24, 3);
   const SheetResponse::Answer answer = answer_of(RestMesh(mesh)), patch = answer_of(RestMesh(mesh), 40);
-  CHECK(patch.relaxed == answer.relaxed);  // all of it lies within 40 edges of its middle
+  CHECK(patch.relaxed == answer.relaxed);  // the whole sheet lies within 40 edges of its middle
   const double turn = 0.7;
   mesh.positions *= Eigen::AngleAxisd(turn, Vector3::UnitZ()).toRotationMatrix().transpose();
   const SheetResponse::Answer turned = answer_of(RestMesh(mesh));
@@ -152,12 +153,12 @@ TEST_CASE("the response is the sheet's, however it lies and whatever is measured
     CHECK(cylinder_rigidity(answer.relaxed, d) < cylinder_rigidity(answer.unrelaxed, d));
     CHECK(strip_rigidity(answer.relaxed, d) < cylinder_rigidity(answer.relaxed, d));
   }
-  CHECK_THAT(
-      answer_of(RestMesh(delaunay(1, 1, 40, 3)), 16).relaxed(0, 0),
-      WithinRel(answer_of(RestMesh(delaunay(1, 1, 40, 3))).relaxed(0, 0), 0.03));  // 800 of 1700 vertices
+  // A patch of 800 of the 1700 vertices.
+  CHECK_THAT(answer_of(RestMesh(delaunay(1, 1, 40, 3)), 16).relaxed(0, 0),
+             WithinRel(answer_of(RestMesh(delaunay(1, 1, 40, 3))).relaxed(0, 0), 0.03));
 }
 
-TEST_CASE("hinges have the stated rigidity at the deflection that was asked for", "[bending][calibration]") {
+TEST_CASE("hinges have the stated rigidity at the requested deflection", "[bending][calibration]") {
   for (const std::string_view model : {"dihedral", "bridson", "discrete_shells", "isometric"}) {
     INFO(model);
     const RestMesh rest(grid(0.24, 0.24, 20, 20, Diagonal::alternating));
@@ -165,11 +166,11 @@ TEST_CASE("hinges have the stated rigidity at the deflection that was asked for"
     const BendingConstraints large = calibrated(model, rest, pins, 1e-4, Deflection::large),
                              small = calibrated(model, rest, pins, 1e-4, Deflection::small);
     CHECK_THAT(fact(large, "large_deflection"), WithinRel(1.0, 0.01));
-    CHECK_THAT(fact(large, "small_deflection"), WithinRel(0.75, 0.02));  // its hinges are only nearly alike
+    CHECK_THAT(fact(large, "small_deflection"), WithinRel(0.75, 0.02));  // the hinges are only nearly alike
     CHECK_THAT(fact(small, "small_deflection"), WithinRel(1.0, 1e-9));
     CHECK_THAT(fact(small, "large_deflection") * fact(large, "small_deflection"),
-               WithinRel(fact(large, "large_deflection"), 1e-9));                       // one factor for all
-    CHECK_THAT(fact(small, "linear_rms"), WithinAbs(fact(large, "linear_rms"), 1e-9));  // of what was wanted
+               WithinRel(fact(large, "large_deflection"), 1e-9));  // all share one factor
+    CHECK_THAT(fact(small, "linear_rms"), WithinAbs(fact(large, "linear_rms"), 1e-9));  // relative
     CHECK_THAT(
         test::energy(small, test::bent(rest, 0.1, 0.3)) / test::energy(large, test::bent(rest, 0.1, 0.3)),
         WithinRel(1 / fact(large, "small_deflection"), 1e-9));
@@ -194,19 +195,20 @@ TEST_CASE("weighted hinges of an irregular sheet have nearly one rigidity at bot
   }
 }
 
-TEST_CASE("a clamped strip that bends a little has the rigidity that was stated for that",
+TEST_CASE("a clamped strip that bends a little has the rigidity stated for small deflections",
           "[bending][calibration]") {
-  // Half a row of the clamp: hinges at its edge have twice their stiffness, and the strip begins there. What
-  // is left is of the order of a share of a cell in the length, 3 % on nine cells.
+  // Hinges at the edge of the clamp, where the strip begins, have twice their stiffness: this accounts for
+  // the half row inside the clamp. The remaining error is a part of a cell of the length, 3 % on nine cells.
   const TriangleMesh mesh = grid(0.12, 0.3, 12, 30, Diagonal::alternating);
   CHECK_THAT(Strip(mesh, Deflection::small).share(), WithinRel(1.0, 0.03));
   CHECK_THAT(Strip(mesh, Deflection::large).share(), WithinRel(0.75, 0.04));
 }
 
-TEST_CASE("a clamped strip vibrates at the frequency of its static rigidity", "[bending][calibration]") {
-  // ω² = 12.3624 B / ρ L⁴ and a tip that sinks by ρ g L⁴ / 8 B: ω² tip / g = 1.54530, whatever B, ρ and L
-  // are. Let go from its shape under gravity, which is the first mode's within 1 %, and followed by its part
-  // in it.
+TEST_CASE("a clamped strip vibrates at the frequency that follows from its static rigidity",
+          "[bending][calibration]") {
+  // ω² = 12.3624 B / (ρ L⁴), and the tip sinks by ρ g L⁴ / (8 B). So ω² tip / g = 1.54530 for any B, ρ and L.
+  // The strip is released from its shape under gravity, which is its first mode within 1 %. The projection of
+  // its motion on this shape gives the frequency.
   Strip strip(grid(0.12, 0.06, 12, 6, Diagonal::alternating), Deflection::large);
   const Positions still = strip.equilibrium();
   strip.input.positions = still;
@@ -234,7 +236,8 @@ TEST_CASE("a clamped strip vibrates at the frequency of its static rigidity", "[
   CHECK_THAT(frequency * frequency * -strip.tip(still) / strip.gravity(), WithinRel(1.54530, 0.02));
 }
 
-TEST_CASE("a deflection that a sheet cannot have is refused", "[bending][calibration]") {
+TEST_CASE("calibration for small deflections refuses sheets and models that do not allow it",
+          "[bending][calibration]") {
   const auto refusal = [](std::string_view model, const TriangleMesh& mesh) {
     const RestMesh rest(mesh);
     BendingConstraints constraints = test::built(model, rest);

@@ -1,4 +1,5 @@
-// Which way a triangle faces means nothing: with some of them turned over, every model is as without.
+// The orientation of a triangle has no meaning: models give the same result if some triangles are turned
+// over.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -40,20 +41,21 @@ std::vector<double> calibrated_softness(std::string_view model, const RestMesh& 
 
 }  // namespace
 
-TEST_CASE("turned triangles: a sheet stays flat, with the same coordinates", "[bending][turned]") {
+TEST_CASE("turned triangles: a flat sheet counts as flat and has the same coordinates", "[bending][turned]") {
   for (const TriangleMesh& mesh : {grid(1, 2, 8, 16), delaunay(1, 1, 12, 4)}) {
     const std::vector<Vector2> plane = plane_coordinates(RestMesh(mesh));
     REQUIRE(plane.size() == static_cast<std::size_t>(mesh.vertex_count()));
     CHECK(plane_coordinates(RestMesh(a_third_turned(mesh))) == plane);
     CHECK(plane_coordinates(RestMesh(half_turned(mesh))).size() == plane.size());
   }
-  // What is not flat does not become flat: the normals of a closed surface, turned to one side, have a sum.
+  // A surface that is not flat does not become flat, although the normals of a half turned closed surface
+  // have a sum other than zero.
   CHECK(plane_coordinates(RestMesh(half_turned(sphere(1, 4)))).empty());
   CHECK(plane_coordinates(RestMesh(half_turned(tube(0.3, 0.3, 1, 12)))).empty());
 }
 
-// Without pins, and with a clamp of two columns, at which hinges resist bending in some directions alone.
-TEST_CASE("turned triangles: models are calibrated as without", "[bending][turned]") {
+// Without pins, and with a clamp of two columns. Hinges at the clamp resist bending only in some directions.
+TEST_CASE("turned triangles: calibration gives the same stiffness", "[bending][turned]") {
   for (const std::string_view model :
        {"dihedral", "discrete_shells", "crossover", "adaptive", "lod", "sparse_lod"})
     for (const TriangleMesh& mesh :
@@ -76,7 +78,7 @@ TEST_CASE("turned triangles: models are calibrated as without", "[bending][turne
         const std::vector<double> sound = softness(mesh);
         REQUIRE(!sound.empty());
         CHECK(largest_change(sound, softness(a_third_turned(mesh))) < 1e-9);
-        if (model != "sparse_lod")  // seen from the other side it chooses other springs
+        if (model != "sparse_lod")  // it chooses other springs if the sheet is seen from the other side
           CHECK(largest_change(sound, softness(half_turned(mesh))) < 1e-9);
       }
 }

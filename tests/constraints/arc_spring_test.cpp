@@ -1,4 +1,4 @@
-// The buckled segment against its closed forms, an independent table and its own equations.
+// The buckled segment, compared with its closed forms, with an independent table and with its own equations.
 #include "bendlab/constraints/arc_spring.hpp"
 
 #include "bendlab/constraints/energy.hpp"
@@ -15,8 +15,8 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 using Law = ArcSpring::Law;
 
-// P L²/k_b = (κL)² / (sinc y - cos y) at r/L = sinc y, y found by Brent's method in SciPy; to the digits
-// printed.
+// P L²/k_b = (κL)² / (sinc y - cos y) at r/L = sinc y, with y from Brent's method in SciPy. All printed
+// digits are exact.
 struct TableRow {
   double ratio, push;
 };
@@ -24,7 +24,7 @@ constexpr TableRow table[] = {{0.0, 39.478418},   {0.025, 36.763322}, {0.1, 30.7
                               {0.5, 17.547251},   {0.75, 14.177052},  {0.9, 12.773224}, {0.95, 12.372806},
                               {0.975, 12.183142}, {1.0, 12.0}};
 
-// Pairs of vertices of their own, of every stiffness, mass, length and multiplier.
+// Pairs that share no vertices, with random stiffness, mass, length and multiplier.
 template <class Real>
 struct Pairs {
   ElementList<ArcSpring> list;
@@ -66,10 +66,10 @@ Vector3 at(const Points<Real>& points, int vertex) {
 
 }  // namespace
 
-TEST_CASE("a buckled segment pushes as the table says", "[constraints]") {
+TEST_CASE("the push of a buckled segment agrees with the table", "[constraints]") {
   for (const auto& [ratio, push] : table)
     CHECK_THAT(ArcSpring::push(ratio, Law::exact), WithinAbs(push, 6e-7));  // half of the last digit
-  // Straight 12, closed 4π², by hand.
+  // By hand: 12 for a straight segment, 4π² for a closed segment.
   CHECK_THAT(ArcSpring::bent(0, Law::exact).push, WithinAbs(12, 1e-14));
   CHECK_THAT(ArcSpring::bent(1, Law::exact).push, WithinRel(4 * std::numbers::pi * std::numbers::pi, 1e-14));
   // -4 p(0) and -4 p(1).
@@ -81,7 +81,7 @@ TEST_CASE("a buckled segment pushes as the table says", "[constraints]") {
   }
 }
 
-TEST_CASE("an arc's energy has the slope and the curvature that it states", "[constraints]") {
+TEST_CASE("an arc states the correct slope and curvature of its energy", "[constraints]") {
   const double length = 0.7;
   for (const Law law : {Law::exact, Law::polynomial})
     for (const double ratio : {0.0, 0.02, 0.3, 0.7, 0.9, 0.955, 0.97, 0.999}) {
@@ -96,21 +96,23 @@ TEST_CASE("an arc's energy has the slope and the curvature that it states", "[co
       }
       CHECK_THAT(-at(value).slope * length * length, WithinRel(ArcSpring::push(ratio, law), 1e-12));
     }
-  // Straight: P = 12 k_b/L² and rises by 7.2 per unit of r/L (its series: 12 + 6/5 y², r/L = 1 - y²/6).
+  // In the straight state P = 12 k_b/L², and rises by 7.2 per unit of r/L (series: 12 + 6/5 y², r/L = 1 -
+  // y²/6).
   CHECK_THAT(ArcSpring::potential(0, {length}, Law::exact).curvature,
              WithinRel(7.2 / std::pow(length, 3), 1e-12));
   CHECK_THAT(ArcSpring::potential(-1e-9 * length, {length}, Law::exact).curvature,
              WithinRel(7.2 / std::pow(length, 3), 1e-6));
 }
 
-TEST_CASE("the series of the arc's push joins its closed form", "[constraints]") {
+TEST_CASE("the series and the closed form of the arc's push agree where they meet", "[constraints]") {
   // The first three terms of 1/e with e = 1/3 - z/30 + z²/840, z = y²: 12 + 6 z/5 + (3/25 - 3/70) z² + O(z³).
   for (const double y : {1e-8, 1e-4, 1e-2}) {
     const double z = y * y;
     CHECK_THAT(ArcSpring::bent(y / std::numbers::pi, Law::exact).push,
                WithinRel(12 + 1.2 * z + (0.12 - 3.0 / 70) * z * z, 1e-13));
   }
-  // At y = 0.5 the difference of two numbers near 1 keeps all but a dozen ε of its twelfth.
+  // At y = 0.5 the closed form subtracts two numbers near 1. Their difference is a twelfth, and right to a
+  // dozen ε.
   const double at = 0.5 / std::numbers::pi, step = 1e-9;
   const double below = ArcSpring::bent(at - step, Law::exact).push,
                above = ArcSpring::bent(at + step, Law::exact).push;
@@ -122,13 +124,13 @@ TEST_CASE("a buckled segment's force is the slope of its energy", "[constraints]
   for (const Law law : {Law::exact, Law::polynomial})
     for (const double length : {0.02, 3.0})
       for (const double ratio : {0.05, 0.3, 0.7, 0.95, 0.999}) {
-        // Central differences over 10⁻⁵ L: error 10⁻¹⁰ of the third derivative, rounding 10⁻¹⁶/10⁻⁵ of the
-        // energy.
+        // Central differences with a step of 10⁻⁵ L: their error is 10⁻¹⁰ of the third derivative, and
+        // rounding adds 10⁻¹⁶/10⁻⁵ of the energy.
         const auto energy = [&](double r) { return ArcSpring::energy((r - 1) * length, {length}, law); };
         const double slope = (energy(ratio + 1e-5) - energy(ratio - 1e-5)) / (2e-5 * length);
         CHECK_THAT(-slope * length * length, WithinRel(ArcSpring::push(ratio, law), 1e-7));
       }
-  // ½ L κ² of the half circle, whose chord is 2/π of it: κ = π / L.
+  // A half circle has the energy ½ L κ² with κ = π / L. Its chord is 2/π of its length.
   const double half_circle = 2 / std::numbers::pi - 1;
   CHECK_THAT(ArcSpring::energy(3 * half_circle, {3}, Law::exact),
              WithinRel(std::numbers::pi * std::numbers::pi / 6, 1e-13));
@@ -160,10 +162,10 @@ TEMPLATE_TEST_CASE("projecting a buckled segment solves its equations", "[constr
       INFO("pair " << pair << " r/L " << r / length << " to " << moved / length << ", P from "
                    << held * to_push << " to " << multiplier * to_push << ", yielding "
                    << to_push * length / w);
-      // Positions and multipliers are rounded, and the gradient's length is 1 but for two ε.
+      // Positions and multipliers are rounded, and the length of the gradient is 1 up to two ε.
       CHECK(std::abs(moved - r - w * (multiplier - held)) <=
             8 * ulp * (length + r + w * std::max(multiplier, held)));
-      // r' is right to some ε L, where the push changes by up to 118 k_b/L³ of it.
+      // The new r is right to a few ε L, and the push changes by up to 118 k_b/L³ times this error.
       const double push = multiplier * to_push, ratio = moved / length;
       if (push == 0) {
         CHECK(ratio >= 1 - 8 * ulp);
@@ -176,13 +178,14 @@ TEMPLATE_TEST_CASE("projecting a buckled segment solves its equations", "[constr
         CHECK_THAT(push, WithinAbs(ArcSpring::push(std::min(ratio, 1.0), law), 1e3 * ulp));
         ++solved[2];
       }
-      // The bisection starts from an r that is rounded otherwise: it moves a stiff pair and loads a soft one.
+      // The oracle's bisection starts from an r with different rounding. This changes the length of a stiff
+      // pair, and the load of a soft pair.
       CHECK_THAT(ratio, WithinAbs(distance(oracle.points) / length, 40 * ulp));
       const double yielding = to_push * length / w;
       CHECK_THAT(push, WithinAbs(static_cast<double>(oracle.batch.multiplier[lane]) * to_push,
                                  ulp * (1e3 + 8 * yielding)));
     }
-    for (const int count : solved) CHECK(count > 300);  // a twentieth of the pairs at least in each
+    for (const int count : solved) CHECK(count > 300);  // each case has at least a twentieth of the pairs
   }
 }
 
@@ -199,7 +202,7 @@ TEMPLATE_TEST_CASE("a buckled segment never pulls", "[constraints]", float, doub
       pairs.batch.kind = kind;
       pairs.batch.multiplier.assign(pairs.batch.multiplier.size(), 0);
       project(pairs.points.data(), pairs.batch, 0, pairs.batch.order.stack_count(), TestType(1));
-      for (std::size_t v = 0; v < 128; ++v)  // at rest r is right to two or three ε
+      for (std::size_t v = 0; v < 128; ++v)  // at rest, r is right to two or three ε
         CHECK(static_cast<double>((pairs.points[v].vector() - start[v].vector()).norm()) <=
               4 * static_cast<double>(std::numeric_limits<TestType>::epsilon()) * pairs.list.rest[v / 2][0]);
     }
@@ -222,7 +225,7 @@ TEMPLATE_TEST_CASE("a buckled segment is damped only while it is compressed", "[
       damp_by_oracle(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
     else
       damp(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
-    // Of equal masses the one along the pair goes, half of it each; all small numbers.
+    // With equal masses, both vertices lose their velocity along the pair. All numbers are small.
     constexpr auto rounding = 4 * std::numeric_limits<TestType>::epsilon();
     CHECK((damped[0].vector() - Vector3Of<TestType>(0, 2, 3)).norm() <= rounding);
     CHECK((damped[1].vector() - Vector3Of<TestType>(0, 2, -3)).norm() <= rounding);
@@ -230,7 +233,7 @@ TEMPLATE_TEST_CASE("a buckled segment is damped only while it is compressed", "[
   }
 }
 
-TEST_CASE("a segment loaded on end stays straight up to 12 k_b / L²", "[constraints]") {
+TEST_CASE("a segment loaded along its axis stays straight up to 12 k_b / L²", "[constraints]") {
   constexpr double length = 0.3, k_b = 2e-3, h = 0.01;
   constexpr TableRow loads[] = {{1, 3},           {1, 11.99},       {0.975, 12.183142},
                                 {0.9, 12.773224}, {0.5, 17.547251}, {0.1, 30.746068}};
@@ -240,7 +243,7 @@ TEST_CASE("a segment loaded on end stays straight up to 12 k_b / L²", "[constra
     batch.kind = StiffnessKind::compliance, batch.compliance = 1 / k_b;
     Points<double> points(2 + dummy_points);
     points[0] = {-length / 2, 0, 0, 50}, points[1] = {length / 2, 0, 0, 20};
-    // Implicit steps with half of the velocity lost each: the rest state does not depend on it.
+    // Implicit steps that each lose half of the velocity. The rest state does not depend on this damping.
     std::array<double, 2> velocity{};
     for (int step = 0; step < 3000; ++step) {
       const std::array<double, 2> before = {points[0].x, points[1].x};
@@ -251,7 +254,7 @@ TEST_CASE("a segment loaded on end stays straight up to 12 k_b / L²", "[constra
       project(points.data(), batch, 0, 1, h);
       for (const std::size_t end : {0u, 1u}) velocity[end] = 0.5 * (points[end].x - before[end]) / h;
     }
-    // The table's push is given to 5·10⁻⁷ and changes by 7 or more per unit of r/L.
+    // The push in the table is right to 5·10⁻⁷, and changes by 7 or more per unit of r/L.
     CHECK_THAT((points[1].x - points[0].x) / length, WithinAbs(ratio, 1e-7));
   }
 }

@@ -1,5 +1,5 @@
-// No correction from rounding: whatever the pose and whichever corners are pinned, a projection is finite,
-// moves no corner farther than its bound, keeps momentum, and does not increase what it is to decrease.
+// Rounding causes no wild corrections. For any pose and any pinned corners, a projection is finite, moves no
+// corner farther than its bound, keeps momentum, and does not increase the error that it should reduce.
 #include <functional>
 #include <tuple>
 
@@ -59,8 +59,8 @@ std::array<Vector3, N> after(const std::array<Vector3, N>& now, const std::array
   return p;
 }
 
-// `bound`: sizes that a corner may move. `error(c, p)`: |C| of the constraint c at p, or nothing where it is
-// not looked at.
+// `bound`: how far a corner may move, in sizes of the pose. `error(c, p)`: |C| of the constraint c at p, or
+// nothing if it is not checked.
 template <class Real, std::size_t N>
 void check_moves(
     const Poses<N>& poses, const std::vector<std::array<Vector3, N>>& all, double bound, Road road,
@@ -68,24 +68,24 @@ void check_moves(
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
   for (std::size_t c = 0; c < poses.size(); ++c) {
     double farthest = 0, momentum_scale = 0, position = 0;
-    bool finite = true, held = false;
+    bool finite = true, pinned = false;
     Vector3 momentum = Vector3::Zero();
     for (std::size_t i = 0; i < N; ++i) {
       finite = finite && all[c][i].allFinite();
       farthest = std::max(farthest, all[c][i].norm());
       position = std::max(position, poses.now[c][i].norm());
-      held = held || poses.mass[c][i] == 0;
+      pinned = pinned || poses.mass[c][i] == 0;
       momentum += poses.mass[c][i] * all[c][i];
       momentum_scale += poses.mass[c][i] * all[c][i].norm();
     }
     const double size = size_of_pose(poses.now[c], poses.rest[c]);
     CAPTURE(c, static_cast<int>(road), size, farthest);
     REQUIRE(finite);
-    // Of whole positions a move is the difference of two, each with a rounding of its own.
+    // With whole positions, a move is the difference of two positions that are both rounded.
     const double rounding = (road == Road::split ? 0 : 2 * position * epsilon) + 1e-3 * size;
     REQUIRE(farthest <= bound * size + rounding);
-    if (!held) {
-      // Each corner's move is rounded by itself.
+    if (!pinned) {
+      // The move of each corner is rounded separately.
       double masses = 0;
       for (const double mass : poses.mass[c]) masses += mass;
       REQUIRE(momentum.norm() <=
@@ -145,7 +145,7 @@ TEMPLATE_TEST_CASE("a spring's projection is bounded by the spring", "[constrain
 }
 
 TEMPLATE_TEST_CASE("a triangle's projections are bounded", "[constraints]", float, double) {
-  const WithoutTraps overflow;  // far apart points in single precision
+  const WithoutTraps overflow;  // points far apart overflow in single precision
   for (const double unit : {1.0, 1e-3, 1e3}) {
     const Poses<3> all = poses<3>(2, unit);
     StrainConstraints list;
@@ -168,8 +168,8 @@ TEMPLATE_TEST_CASE("a triangle's projections are bounded", "[constraints]", floa
           set_stiffness(batch, compliant, 4 * batch.a.size());
           const bool published_shear = term == 2 && form == StrainForm::normalised;
           CAPTURE(unit, compliant, static_cast<int>(form), term);
-          // Stretch along a direction is linear in the corners up to the length of f. Other terms are not,
-          // and may overshoot.
+          // Stretch along a direction is linear in the corners, except for the length of f. Other terms are
+          // not linear and may overshoot.
           const auto error = [&](std::size_t c, const std::array<Vector3, 3>& p) -> std::optional<double> {
             if (term > 1 || form == StrainForm::green) return std::nullopt;
             const auto s = stretch_constraint<double>(p, list.inverse_rest[c], term, StrainForm::normalised);
@@ -214,7 +214,7 @@ TEMPLATE_TEST_CASE("a hinge's projection is bounded", "[constraints]", float, do
                                          static_cast<int>(4 * all.size()));
         batch.compliance = TestType(1e-6);
         set_stiffness(batch, compliant, batch.order.lane_count());
-        // Kx, in sizes, is linear in the corners.
+        // Kx, in units of the pose's size, is linear in the corners.
         const auto error = [&](std::size_t c, const std::array<Vector3, 4>& p) -> std::optional<double> {
           const auto value = QuadraticBend::value<double>(p, list.rest[c], QuadraticBend::Law::norm);
           return std::abs(value.value);

@@ -1,4 +1,5 @@
-// Every constraint's gradient against central differences, and what its invariances demand of it.
+// The gradient of every constraint agrees with central differences, and has the invariances of the
+// constraint.
 #include <functional>
 
 #include "bendlab/constraints/kinds.hpp"
@@ -14,7 +15,8 @@ using Corners = std::array<Vector3, N>;
 template <std::size_t N>
 using Constraint = std::function<ConstraintValue<double, N>(const Corners<N>&)>;
 
-// Central differences: error ~ step² for smooth C of unit size, so 1e-6 leaves a relative 1e-8 or so.
+// Central differences. Their error is about step² for a smooth C of unit size. With rounding, a step of 1e-6
+// leaves a relative error of about 1e-8.
 template <std::size_t N>
 Corners<N> difference_gradient(const Constraint<N>& constraint, const Corners<N>& p) {
   constexpr double step = 1e-6;
@@ -42,7 +44,7 @@ void check_gradient(const Constraint<N>& constraint, const Corners<N>& p) {
     moment += p[i].cross(c.gradient[i]);
   }
   CHECK(error <= 1e-6 * largest);
-  // Rounding of a handful of products of numbers of the gradient's size.
+  // Rounding of a few products of numbers of the gradient's size.
   CHECK(sum.norm() <= 1e-13 * largest);
   CHECK(moment.norm() <= 1e-13 * largest);
 }
@@ -96,7 +98,7 @@ TEST_CASE("strain gradients agree with differences", "[constraints]") {
   }
 }
 
-// Two triangles at an edge, folded at random, far from collapsed and from the cut at ±π.
+// Two triangles that share an edge, with a random fold. They are far from collapsed, and from the jump at ±π.
 Corners<4> random_hinge(std::mt19937_64& random) {
   for (;;) {
     Corners<4> p;
@@ -118,14 +120,14 @@ TEST_CASE("hinge gradients agree with differences", "[constraints]") {
     for (const double rest : {0.0, 0.9, -2.0})
       for (const auto law : {HingeAngle::Law::angle, HingeAngle::Law::half_sine}) {
         const std::array<double, 4> values = {rest, 0.7, std::sin(rest / 2), std::cos(rest / 2)};
-        if (std::abs(hinge_angle(p, 0.7).value - rest) < 3.0)  // else it may wrap between two differences
+        if (std::abs(hinge_angle(p, 0.7).value - rest) <
+            3.0)  // else it may jump by 2π between the two differences
           check_gradient<4>([&](const Corners<4>& x) { return HingeAngle::value(x, values, law); }, p);
       }
     const double a = test::uniform(random, 0.2, 2), b = test::uniform(random, 0.2, 2);
     const std::array<double, 6> k = {a, b, -0.6 * (a + b), -0.4 * (a + b), 0.3, 1};  // sum 0
     for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy}) {
-      // K annihilates translations; moments vanish only where K x0 = 0, as for the cotangents of a flat
-      // hinge.
+      // K annihilates translations. Moments vanish only if K x0 = 0, as for the cotangents of a flat hinge.
       const Constraint<4> constraint = [&](const Corners<4>& x) { return QuadraticBend::value(x, k, law); };
       const Corners<4> expected = difference_gradient(constraint, p);
       const ConstraintValue<double, 4> c = constraint(p);
@@ -179,8 +181,8 @@ TEST_CASE("one projection solves the square-root stretch exactly for any masses"
 }
 
 TEST_CASE("one projection of the Green form overshoots as Newton's method does", "[constraints]") {
-  // Unit right triangle stretched to λ along the warp, unit masses: the step divides λ² - 1 by 2λ, so λ' = λ
-  // - (λ² - 1) / (2λ).
+  // A unit right triangle of unit masses is stretched to λ along the warp. The step divides λ² - 1 by 2λ, so
+  // λ' = λ - (λ² - 1) / (2λ).
   const std::array<double, 4> q = {1, 0, 0, 1};
   for (const double stretch : {2.0, 3.0, 0.5}) {
     std::array<Point<double>, 3> points = {Point<double>{0, 0, 0, 1}, Point<double>{stretch, 0, 0, 1},

@@ -1,4 +1,5 @@
-// The lane kernels against the one-at-a-time oracle, and what every projection must keep.
+// The lane kernels agree with the oracle, which projects one constraint at a time. Every projection keeps
+// momentum.
 #include "bendlab/constraints/kernels.hpp"
 
 #include "bendlab/constraints/oracle.hpp"
@@ -9,7 +10,7 @@
 namespace bendlab {
 namespace {
 
-// A crumpled sheet with random masses, some vertices pinned.
+// A crumpled sheet with random masses and some pinned vertices.
 template <class Real>
 struct Crumpled {
   RestMesh rest;
@@ -68,13 +69,13 @@ struct Crumpled {
     list.law = law;
     ElementBatch<Real, Kind> batch =
         make_element_batch<Real>(list, colour_order(list.vertices, rest.vertex_count()), rest.vertex_count());
-    // Of one-sided kinds some yield to their load.
+    // The compliance of one-sided kinds is large, so that some of their elements yield to their load.
     batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(OneSided<Kind> ? 1e3 : 1e-2);
     if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);
     return batch;
   }
 
-  // Rest angles of every sign and size, tiny and none among them.
+  // Rest angles of every sign and size, including tiny angles and zero.
   static void bend_at_rest(std::array<double, 4>& hinge, std::size_t c) {
     const double angle = c % 5 == 0 ? 0 : std::sin(static_cast<double>(c)) * 2.5;
     hinge = {angle, hinge[1], std::sin(angle / 2), std::cos(angle / 2)};
@@ -82,7 +83,7 @@ struct Crumpled {
   static void bend_at_rest(std::array<double, 6>& quadratic, std::size_t c) {
     quadratic[4] = c % 5 == 0 ? 0 : 0.01 * static_cast<double>(c % 7);
   }
-  // From half as long again as the pair to half as long.
+  // From 1.5 to 0.5 times the length of the pair.
   static void bend_at_rest(std::array<double, 1>& arc, std::size_t c) {
     arc[0] *= 1 + 0.5 * std::sin(static_cast<double>(c));
   }
@@ -120,7 +121,8 @@ double largest_difference(const Points<Real>& a, const Points<Real>& b) {
   return largest;
 }
 
-// Two sweeps over a few thousand constraints: each rounds to some ε, and shear near collapse amplifies it.
+// Two sweeps over a few thousand constraints. Each constraint has a rounding of a few ε, and shear near
+// collapse amplifies this error.
 template <class Real>
 constexpr double agreement = 2e3 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
@@ -132,7 +134,7 @@ void check_kernel(const Crumpled<Real>& cloth, const Batch& batch) {
     project_all(by_kernel, kernel_batch, backwards);
     project_by_oracle(by_oracle.data(), oracle_batch, Real(1e-2), backwards);
   }
-  CHECK(largest_difference(by_kernel, cloth.points) > 1e-3);  // something happened
+  CHECK(largest_difference(by_kernel, cloth.points) > 1e-3);  // the projections moved something
   CHECK(largest_difference(by_kernel, by_oracle) <= agreement<Real>);
 }
 
@@ -151,8 +153,8 @@ TEMPLATE_TEST_CASE("kernels agree with the oracle to rounding", "[constraints]",
 
 namespace {
 
-// Calls check(batch) for every batch that a scene may hold, with the rest shape by which collapsed elements
-// open.
+// Calls check(batch) for every kind of batch of a scene. Each batch has the rest shape, which tells collapsed
+// elements how to open.
 template <class Real, class Check>
 void for_batches(const Crumpled<Real>& cloth, const Check& check) {
   const auto with_rest = [&](auto batch) {
@@ -168,7 +170,8 @@ void for_batches(const Crumpled<Real>& cloth, const Check& check) {
   for_elements(cloth, with_rest);
 }
 
-// To a point, onto two lines, and a sheet of which only every seventh vertex lies on a neighbour.
+// Four cloths: collapsed to a point, onto two different lines, and a cloth in which every seventh vertex lies
+// on a neighbour.
 template <class Real>
 std::vector<Crumpled<Real>> collapsed_cloths() {
   std::vector<Crumpled<Real>> cloths(4, Crumpled<Real>(9));
@@ -177,11 +180,11 @@ std::vector<Crumpled<Real>> collapsed_cloths() {
     const auto at = static_cast<std::size_t>(v);
     const Vector3 rest = cloths[0].rest.position(v);
     cloths[0].points[at].set({Real(0.25), Real(-0.5), Real(0.125)});
-    // Not along warp or weft, of which the other would be rounding noise.
+    // Lines along neither warp nor weft: else the other direction would consist of rounding.
     cloths[1].points[at].set(Vector3(rest.x() + 0.5 * rest.y(), 0, 0).cast<Real>());
     cloths[2].points[at].set(((rest.x() - rest.y()) * Vector3(0.5, 0.25, -1)).cast<Real>());
-    // A neighbour: two opposite vertices of a hinge at one point would fold it by ±π, of a sign that rounding
-    // decides.
+    // The vertex moves to a neighbour, never to the opposite vertex of a hinge. That would fold the hinge by
+    // ±π, with a sign that depends on rounding.
     if (v % 7 == 3)
       cloths[3].points[at].set(
           cloths[3].points[static_cast<std::size_t>(cloths[3].rest.one_ring()[v].front())].vector());
@@ -196,14 +199,15 @@ TEMPLATE_TEST_CASE("kernels agree with the oracle on collapsed elements", "[cons
     for_batches(cloth, [&](const auto& batch) {
       Points<TestType> by_kernel = cloth.points, by_oracle = cloth.points;
       auto kernel_batch = batch, oracle_batch = batch;
-      // One colour: what comes after it meets elements that are nearly collapsed, where rounding decides.
+      // Only the first colour: later colours would meet nearly collapsed elements, where rounding decides the
+      // result.
       project(by_kernel.data(), kernel_batch, batch.order.colours[0], batch.order.colours[1], TestType(1e-2));
       auto& order = oracle_batch.order;
       const auto first_lane = static_cast<std::ptrdiff_t>(max_lanes * order.colours[1]);
       std::fill(order.first.begin() + first_lane, order.first.end(), -1);
       if (!order.length.empty()) std::fill(order.length.begin() + first_lane, order.length.end(), 0);
       project_by_oracle(by_oracle.data(), oracle_batch, TestType(1e-2));
-      double size = 1;  // XPBD's arcs push as hard as they must
+      double size = 1;  // arcs of XPBD have no bound on their push
       for (const auto& point : by_oracle) size = std::max<double>(size, point.vector().norm());
       CHECK(largest_difference(by_kernel, by_oracle) <= agreement<TestType> * size);
     });
@@ -247,14 +251,16 @@ TEMPLATE_TEST_CASE("a collapsed spring opens along its rest direction", "[constr
   batch.rest_points = rest.data();
   points[0] = {1, 2, 3, 1}, points[1] = {1, 2, 3, 3};
   project(points.data(), batch, 0, 1, Real(1));
-  // Apart by 0.5 along (0, 0.6, 0.8), a quarter and three quarters of it by their inverse masses; rounding of
-  // coordinates up to 3, and the kernel's 32 ε of the length.
+  // The points move apart by 0.5 along (0, 0.6, 0.8). Their inverse masses give them a quarter and three
+  // quarters of it. The tolerance covers rounding of coordinates up to 3, and the kernel's 32 ε of the
+  // length.
   const double tolerance = 64 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   CHECK((points[0].vector().template cast<double>() - Vector3(1, 2 - 0.075, 3 - 0.1)).norm() <= tolerance);
   CHECK((points[1].vector().template cast<double>() - Vector3(1, 2 + 0.225, 3 + 0.3)).norm() <= tolerance);
 }
 
-TEMPLATE_TEST_CASE("a triangle at a point opens to its rest shape", "[constraints]", float, double) {
+TEMPLATE_TEST_CASE("a triangle collapsed to a point opens to its rest shape", "[constraints]", float,
+                   double) {
   using Real = TestType;
   TriangleMesh mesh;
   mesh.positions.resize(3, 3);
@@ -273,8 +279,8 @@ TEMPLATE_TEST_CASE("a triangle at a point opens to its rest shape", "[constraint
       points[static_cast<std::size_t>(v)] = {Real(0.5), Real(0.25), Real(1), 1};
     }
     batch.rest_points = rest.data();
-    // The first projection opens it along warp and weft at rest; what these disturb of each other the others
-    // mend.
+    // The first projection opens the triangle along warp and weft at rest. Both disturb each other; the later
+    // projections correct this.
     for (int i = 0; i < 40; ++i) project(points.data(), batch, 0, 1, Real(1));
     for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {2u, 0u}})
       CHECK_THAT((points[a].vector() - points[b].vector()).norm(),
@@ -305,8 +311,8 @@ TEMPLATE_TEST_CASE("damping kernels agree with the oracle to rounding", "[constr
 
 TEST_CASE("every projection keeps linear and angular momentum", "[constraints]") {
   const Crumpled<double> cloth(7, false);
-  // Colour by colour (of single springs, not stars): within one, every vertex moves once, from the position
-  // at which its constraint took the gradient.
+  // Checked colour by colour, with single springs instead of stars: within a colour, every vertex moves only
+  // once, from the position at which its constraint took the gradient.
   const auto check = [&](auto batch) {
     Points<double> points = cloth.points;
     for (std::size_t c = 0; c + 1 < batch.order.colours.size(); ++c) {
@@ -320,7 +326,8 @@ TEST_CASE("every projection keeps linear and angular momentum", "[constraints]")
         linear += momentum, angular += before[v].vector().cross(momentum), scale += momentum.norm();
       }
       CHECK(scale > 0);
-      // Differences of coordinates of size 1 carry an absolute 1e-16 each; a displacement is some 1e-3.
+      // Differences of coordinates of size 1 have an absolute error of 1e-16, and displacements are about
+      // 1e-3.
       CHECK(linear.norm() <= 1e-12 * scale);
       CHECK(angular.norm() <= 1e-12 * scale);
     }
@@ -328,7 +335,8 @@ TEST_CASE("every projection keeps linear and angular momentum", "[constraints]")
   check(cloth.distance(StiffnessKind::k, false));
   check(cloth.distance(StiffnessKind::compliance, false));
   for_elements(cloth, check);
-  // A triangle's terms follow one another, each with its own gradient: one at a time.
+  // The terms of a triangle follow one another, each with its own gradient, so they are checked one at a
+  // time.
   for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle})
     for (int term = 0; term < 4; ++term) {
       StrainBatch<double> batch = cloth.strain(StiffnessKind::k, form);
@@ -337,7 +345,7 @@ TEST_CASE("every projection keeps linear and angular momentum", "[constraints]")
     }
 }
 
-TEMPLATE_TEST_CASE("collapsed elements without a rest shape and padded lanes are left alone", "[constraints]",
+TEMPLATE_TEST_CASE("collapsed elements without a rest shape and padding lanes do not move", "[constraints]",
                    float, double) {
   Crumpled<TestType> cloth(8);
   for (int v = 0; v < cloth.rest.vertex_count(); ++v)
@@ -354,7 +362,7 @@ TEMPLATE_TEST_CASE("collapsed elements without a rest shape and padded lanes are
   for_elements(cloth, check);
 }
 
-TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[constraints]") {
+TEST_CASE("k' leaves 1 - k of the error of an isolated constraint after n projections", "[constraints]") {
   for (const int n : {1, 2, 10, 50}) {
     std::array<Point<double>, 2> points = {Point<double>{0, 0, 0, 1}, Point<double>{2, 0, 0, 3}};
     const Places<double> places(points.data());
@@ -363,7 +371,7 @@ TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[con
       project_by_oracle<double>(corners_at(places, offset_of(0), offset_of(1)),
                                 distance_constraint<double>({points[0].vector(), points[1].vector()}, 1), k,
                                 nullptr, 0.0);
-    // From a violation of 1 to 0.7 of it; rounding of at most 50 multiplications.
+    // The violation falls from 1 to 0.7, up to the rounding of at most 50 multiplications.
     CHECK_THAT((points[1].vector() - points[0].vector()).norm() - 1, Catch::Matchers::WithinAbs(0.7, 1e-14));
   }
 }

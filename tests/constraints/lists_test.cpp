@@ -1,4 +1,4 @@
-// Lists of springs take little memory and say what a plain list would.
+// Lists of springs take little memory and behave like plain lists.
 #include "bendlab/constraints/lists.hpp"
 
 #include <rapidcheck.h>
@@ -11,11 +11,11 @@ namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
 
-// Runs of equal first vertices, long and short, up to several blocks of the index.
+// Long and short stretches of pairs with the same first vertex, up to several blocks of the index.
 rc::Gen<Pairs> any_pairs() {
   return rc::gen::exec([] {
     Pairs pairs;
-    for (int runs = *rc::gen::inRange(0, 40); runs > 0; --runs) {
+    for (int stretches = *rc::gen::inRange(0, 40); stretches > 0; --stretches) {
       const int first = *rc::gen::inRange(0, 5), length = *rc::gen::element(1, 1, 1, 2, 63, 64, 65, 200);
       for (int p = 0; p < length; ++p) pairs.push_back({first, *rc::gen::inRange(0, 1000)});
     }
@@ -42,16 +42,17 @@ TEST_CASE("a pair list gives back the pairs that it was given", "[constraints]")
 }
 
 TEST_CASE("pair lists are equal if their pairs are", "[constraints]") {
-  CHECK(rc::check("for any two", [] {
-    const Pairs one = *any_pairs();
-    Pairs other = one;
-    if (!other.empty() && *rc::gen::arbitrary<bool>())
-      ++other[*rc::gen::inRange<std::size_t>(0, other.size())][*rc::gen::inRange<std::size_t>(0, 2)];
-    RC_ASSERT((PairList(one) == PairList(other)) == (one == other));
+  CHECK(rc::check("for any two lists", [] {
+    const Pairs first = *any_pairs();
+    Pairs second = first;
+    if (!second.empty() && *rc::gen::arbitrary<bool>())
+      ++second[*rc::gen::inRange<std::size_t>(0, second.size())][*rc::gen::inRange<std::size_t>(0, 2)];
+    RC_ASSERT((PairList(first) == PairList(second)) == (first == second));
   }));
 }
 
-TEST_CASE("a list of one vertex after another takes little more than a number a pair", "[constraints]") {
+TEST_CASE("a list sorted by first vertex takes little more memory than one number per pair",
+          "[constraints]") {
   PairList list;
   for (int centre = 0; centre < 100; ++centre)
     for (int other = 0; other < 100; ++other) list.push_back({centre, other});
@@ -76,7 +77,7 @@ TEST_CASE("a rest length that is not stored is the distance at rest", "[constrai
 
   list.store_rest_lengths();
   CHECK(list.rest_length == sides);
-  list.rest_length[1] = 7;  // a stored one counts
+  list.rest_length[1] = 7;  // a stored rest length is used
   CHECK(list.rest(1) == 7);
   CHECK(list.renumbered({2, 0, 1}).rest(1) == 7);
 }

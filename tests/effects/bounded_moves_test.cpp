@@ -1,6 +1,6 @@
-// No correction from rounding, of the effects that move vertices: whatever the pose and the pins, each move
-// is finite and bounded, keeps what the effect promises to keep, and does not increase what it is to
-// decrease.
+// Rounding causes no wild corrections in effects that move vertices. For any pose and any pins, each move is
+// finite and bounded, keeps the momentum if the effect promises this, and does not increase the error that it
+// should reduce.
 #include "bendlab/effects/obstacle.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "tests/catch.hpp"
@@ -34,7 +34,7 @@ RestMesh mesh_of(const std::array<Vector3, N>& corners, std::initializer_list<st
   return RestMesh(std::move(mesh));
 }
 
-// The state of a pose: its corners first, then `others` at rest and free.
+// The state of a mesh whose vertices are the corners of a pose.
 template <class Real, std::size_t N>
 State<Real> state_of(const RestMesh& rest, const std::array<Vector3, N>& now,
                      const std::array<double, N>& mass) {
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("a push on points of the cloth is bounded, whichever corners 
       const RestMesh rest = mesh_of(all.rest[c], {{0, 1, 2}});
       State<TestType> state = state_of<TestType>(rest, all.now[c], all.mass[c]);
       const Points<TestType> before = state.position;
-      // A point of the triangle: anywhere, or a rounding away from a corner, which may be the pinned one.
+      // A point of the triangle: anywhere, or next to a corner up to rounding. This corner may be pinned.
       const auto near = static_cast<std::size_t>(random() % 4);
       std::array<TestType, 3> weights;
       TestType sum = 0;
@@ -104,7 +104,7 @@ TEMPLATE_TEST_CASE("a push on points of the cloth is bounded, whichever corners 
       CAPTURE(c, near, depth, size, moves.farthest);
       REQUIRE(moves.finite);
       REQUIRE(moves.farthest <= largest_move * size * (1 + 1e2 * epsilon) + rounding);
-      // The point itself goes outwards, and no farther than it was deep.
+      // The point itself moves outwards, by its depth at most.
       double way = 0;
       for (std::size_t i = 0; i < 3; ++i)
         way += static_cast<double>(weights[i]) * (state.position[i].vector() - before[i].vector())
@@ -116,7 +116,7 @@ TEMPLATE_TEST_CASE("a push on points of the cloth is bounded, whichever corners 
   }
 }
 
-TEMPLATE_TEST_CASE("the pushes of a ball on a triangle are each bounded", "[effects]", float, double) {
+TEMPLATE_TEST_CASE("each push of a ball on a triangle is bounded", "[effects]", float, double) {
   const WithoutTraps overflow;  // on purpose
   constexpr double epsilon = std::numeric_limits<TestType>::epsilon();
   for (const double unit : units) {
@@ -126,7 +126,7 @@ TEMPLATE_TEST_CASE("the pushes of a ball on a triangle are each bounded", "[effe
       const RestMesh rest = mesh_of(all.rest[c], {{0, 1, 2}});
       State<TestType> state = state_of<TestType>(rest, all.now[c], all.mass[c]);
       const Points<TestType> before = state.position;
-      // About the triangle's middle, so that faces, edges and vertices are all met.
+      // The ball is at the triangle's middle, so it touches faces, edges and vertices.
       const Vector3 middle = (all.now[c][0] + all.now[c][1] + all.now[c][2]) / 3;
       const double radius = 0.3 * unit, thickness = 0.01 * unit;
       auto passes =
@@ -139,30 +139,30 @@ TEMPLATE_TEST_CASE("the pushes of a ball on a triangle are each bounded", "[effe
       const double size = std::max(size_of_pose(all.now[c], all.now[c]), radius + thickness);
       CAPTURE(c, size, moves.farthest);
       REQUIRE(moves.finite);
-      // A corner is pushed by itself, then with two edges and with the face, each time by two sizes of what
-      // has become of the triangle: 2, 3 × 2, 3 × 6 and 3 × 18 times as large at most.
+      // A corner is pushed by itself, then with two edges and with the face, each time by at most two sizes
+      // of the current triangle. So the moves are at most 2, 3 × 2, 3 × 6 and 3 × 18 sizes.
       REQUIRE(moves.farthest <= 54 * size + 4 * epsilon * moves.position);
     }
     CHECK(acted > all.size());
   }
 }
 
-TEMPLATE_TEST_CASE("cloth that meets itself moves no farther than its triangles are large", "[effects]",
-                   float, double) {
+TEMPLATE_TEST_CASE("self-collision moves cloth by a bounded multiple of the size of its triangles",
+                   "[effects]", float, double) {
   const WithoutTraps overflow;  // on purpose
   constexpr double epsilon = std::numeric_limits<TestType>::epsilon();
   for (const double unit : units) {
-    // A triangle far away at rest, and the pose's.
-    const Poses<3> all = poses<3>(23, unit), others = poses<3>(24, unit);
+    // The triangle of the pose, and a second triangle that is far away from it at rest.
+    const Poses<3> all = poses<3>(23, unit), second = poses<3>(24, unit);
     std::uint64_t acted = 0;
     for (std::size_t c = 0; c < all.size(); ++c) {
       std::array<Vector3, 6> corners, now;
       std::array<double, 6> mass;
-      const Vector3 meet = others.now[c][0] - all.now[c][0];
+      const Vector3 meet = second.now[c][0] - all.now[c][0];
       for (std::size_t i = 0; i < 3; ++i) {
-        corners[i] = all.rest[c][i], corners[i + 3] = others.rest[c][i] + 100 * unit * Vector3::UnitX();
-        now[i] = all.now[c][i] + meet + 0.004 * unit * Vector3::UnitZ(), now[i + 3] = others.now[c][i];
-        mass[i] = all.mass[c][i], mass[i + 3] = others.mass[others.size() - 1 - c][i];
+        corners[i] = all.rest[c][i], corners[i + 3] = second.rest[c][i] + 100 * unit * Vector3::UnitX();
+        now[i] = all.now[c][i] + meet + 0.004 * unit * Vector3::UnitZ(), now[i + 3] = second.now[c][i];
+        mass[i] = all.mass[c][i], mass[i + 3] = second.mass[second.size() - 1 - c][i];
       }
       const RestMesh rest = mesh_of(corners, {{0, 1, 2}, {3, 4, 5}});
       State<TestType> state = state_of<TestType>(rest, now, mass);
@@ -174,7 +174,7 @@ TEMPLATE_TEST_CASE("cloth that meets itself moves no farther than its triangles 
       const double size = size_of_pose(now, now);
       CAPTURE(c, size, moves.farthest);
       REQUIRE(moves.finite);
-      // A vertex is in up to three pairs with the other face and six of edges.
+      // A vertex is in up to three pairs with the other face, and in up to six pairs of edges.
       REQUIRE(moves.farthest <= 9 * largest_move * size + 4 * epsilon * moves.position);
       if (std::ranges::none_of(mass, [](double m) { return m == 0; }))
         REQUIRE(moves.momentum.norm() <=
@@ -184,7 +184,7 @@ TEMPLATE_TEST_CASE("cloth that meets itself moves no farther than its triangles 
   }
 }
 
-TEMPLATE_TEST_CASE("a tether takes back what is too far, and nothing else", "[effects]", float, double) {
+TEMPLATE_TEST_CASE("a tether pulls back only vertices that are too far away", "[effects]", float, double) {
   constexpr double epsilon = std::numeric_limits<TestType>::epsilon();
   for (const double unit : units) {
     const Poses<3> all = poses<3>(25, unit);
@@ -220,7 +220,8 @@ TEMPLATE_TEST_CASE("a tether takes back what is too far, and nothing else", "[ef
   }
 }
 
-TEMPLATE_TEST_CASE("limiting a triangle's strain is bounded by the triangle", "[effects]", float, double) {
+TEMPLATE_TEST_CASE("strain limiting moves vertices by a bounded multiple of the triangle's size", "[effects]",
+                   float, double) {
   constexpr double epsilon = std::numeric_limits<TestType>::epsilon();
   for (const double unit : units) {
     const Poses<3> all = poses<3>(26, unit);

@@ -9,7 +9,7 @@ namespace {
 
 using Catch::Matchers::WithinRel;
 
-// A free, crumpled sheet with random velocities and masses that differ.
+// A free, crumpled sheet with random velocities and masses.
 SimulationInput moving_sheet(int seed) {
   const RestMesh rest(delaunay(1, 1, 8, static_cast<std::uint64_t>(seed)));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
@@ -23,7 +23,7 @@ SimulationInput moving_sheet(int seed) {
   return input;
 }
 
-// Runs one effect's passes once on the state of a sheet; constraints are those of the sheet.
+// Runs the passes of one effect once on the state of a sheet, with the constraints of the sheet.
 Motion motion_after(const SimulationInput& input, std::vector<Pass<double>> passes, double substep) {
   State<double> state;
   const auto count = static_cast<std::size_t>(input.positions.rows());
@@ -36,19 +36,20 @@ Motion motion_after(const SimulationInput& input, std::vector<Pass<double>> pass
     state.position[v].w = 1 / input.mass[v];
     state.velocity[v].set(input.velocities.row(static_cast<Eigen::Index>(v)).transpose());
   }
-  BatchOrder order;  // one constraint per colour: any order will do
+  BatchOrder order;
   Constraints<double> constraints;
+  // One constraint per colour: the order does not matter here.
   const auto one_each = [](std::size_t constraints_count) {
-    BatchOrder each;
+    BatchOrder singles;
     for (std::size_t c = 0; c < constraints_count; ++c) {
-      each.colours.push_back(c);
-      each.stacks.push_back(c * max_lanes);
-      each.first.push_back(static_cast<int>(c));
-      each.first.resize((c + 1) * max_lanes, -1);
+      singles.colours.push_back(c);
+      singles.stacks.push_back(c * max_lanes);
+      singles.first.push_back(static_cast<int>(c));
+      singles.first.resize((c + 1) * max_lanes, -1);
     }
-    each.colours.push_back(constraints_count);
-    each.stacks.push_back(constraints_count * max_lanes);
-    return each;
+    singles.colours.push_back(constraints_count);
+    singles.stacks.push_back(constraints_count * max_lanes);
+    return singles;
   };
   constraints.strain =
       make_strain_batch<double>(input.strain, one_each(input.strain.size()), state.vertex_count);
@@ -64,21 +65,21 @@ Motion motion_after(const SimulationInput& input, std::vector<Pass<double>> pass
 
 }  // namespace
 
-TEST_CASE("both dampings keep linear and angular momentum and take energy", "[effects]") {
+TEST_CASE("both dampings keep linear and angular momentum and reduce energy", "[effects]") {
   for (const char* name : {"rigid_damping", "constraint_damping"})
     for (const int seed : {1, 2, 3}) {
       const SimulationInput input = moving_sheet(seed);
       const Motion before = motion_of(input.mass, input.positions, input.velocities);
       const Motion after = motion_after(input, test::effect_passes<double>(name, "rate", 20.0), 1e-2);
       CHECK(after.kinetic_energy < 0.95 * before.kinetic_energy);
-      // Rounding of sums over some hundred vertices, in units of the momentum the parts carry.
+      // Rounding of sums over about a hundred vertices, relative to the momenta of the vertices.
       const double scale = std::sqrt(2 * before.kinetic_energy * 0.2);
       CHECK((after.linear_momentum - before.linear_momentum).norm() <= 1e-13 * scale);
       CHECK((after.angular_momentum - before.angular_momentum).norm() <= 1e-13 * scale);
     }
 }
 
-TEST_CASE("constraint damping acts on every constraint in every substep, if it acts", "[effects]") {
+TEST_CASE("constraint damping acts on every constraint in every substep, unless its rate is 0", "[effects]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   input.settings.substeps = 3;
@@ -92,7 +93,7 @@ TEST_CASE("constraint damping acts on every constraint in every substep, if it a
   }
 }
 
-TEST_CASE("rigid damping is a rate: it does not depend on substeps", "[effects]") {
+TEST_CASE("rigid damping is a rate: its effect does not depend on the number of substeps", "[effects]") {
   const SimulationInput input = moving_sheet(4);
   const auto passes = [](double rate, int times) {
     std::vector<Pass<double>> all;
@@ -114,10 +115,10 @@ TEST_CASE("rigid damping leaves rigid motion alone", "[effects]") {
   const double before = motion_of(input.mass, input.positions, input.velocities).kinetic_energy;
   const double after =
       motion_after(input, test::effect_passes<double>("rigid_damping", "rate", 50.0), 0.1).kinetic_energy;
-  CHECK_THAT(after, WithinRel(before, 1e-12));  // rounding of the inertia's solution
+  CHECK_THAT(after, WithinRel(before, 1e-12));  // rounding of the solution with the inertia matrix
 }
 
-TEST_CASE("rigid damping of a line of vertices spins about no axis without inertia", "[effects]") {
+TEST_CASE("rigid damping keeps the spin of a line of vertices, whose own axis has no inertia", "[effects]") {
   SimulationInput input{.method = Pbd{}};
   input.positions.resize(3, 3);
   input.positions << -1, 0, 0, 0, 0, 0, 1, 0, 0;
@@ -128,7 +129,7 @@ TEST_CASE("rigid damping of a line of vertices spins about no axis without inert
   CHECK_THAT(after.kinetic_energy, WithinRel(4.0, 1e-12));
 }
 
-TEST_CASE("an effect of no strength leaves the same bits as none", "[effects]") {
+TEST_CASE("an effect of zero strength gives the same bits as no effect", "[effects]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
   const auto end = [&](std::vector<Pass<float>> passes) {

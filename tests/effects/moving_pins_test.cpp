@@ -1,4 +1,4 @@
-// Moving pins against their keyframes.
+// Moving pins follow their keyframes.
 #include <numbers>
 
 #include "bendlab/scene/built_scene.hpp"
@@ -13,7 +13,7 @@ using Catch::Matchers::ContainsSubstring;
 using Numbers = std::vector<double>;
 using Names = std::vector<std::string>;
 
-// A sheet that hangs on the vertices of a side, whose pins follow what `settings` say.
+// A sheet that hangs on pins, which move by `settings`.
 template <class Real>
 std::unique_ptr<Simulation> hanging(const RestMesh& rest, const Pins& pins, test::Changes settings, double dt,
                                     int substeps = 1, double rate = 0) {
@@ -29,7 +29,7 @@ Vector3 row(const Positions& positions, int vertex) {
   return positions.row(vertex).transpose();
 }
 
-// What a scene's simulation is refused with.
+// The problems with which a scene with this effect is refused.
 ConfigProblems problems_of(const std::string& effect) {
   const std::string config =
       R"({"name": "t", "defaults": "paper",
@@ -46,9 +46,9 @@ ConfigProblems problems_of(const std::string& effect) {
 
 }  // namespace
 
-// The position that the solver holds is Real(start + offset(t)), start being relative to the origin and t the
-// substep's start plus h. All of it is computed here again, in steps that the compiler may not join.
-TEMPLATE_TEST_CASE("moving pins are where the keyframes say, to the last bit", "[effects]", float, double) {
+// The solver's position is Real(start + offset(t)). Here start is relative to the origin, and t is the start
+// of the substep plus h. The test computes this again, in steps that the compiler must not fuse (volatile).
+TEMPLATE_TEST_CASE("moving pins follow their keyframes to the last bit", "[effects]", float, double) {
   using Real = TestType;
   const RestMesh rest(grid(1, 1, 6, 6));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
@@ -72,7 +72,7 @@ TEMPLATE_TEST_CASE("moving pins are where the keyframes say, to the last bit", "
           REQUIRE(positions(pin, axis) == static_cast<double>(expected) + rest.centre()(axis));
         }
     }
-    for (const int pin : pins.all)  // at rest once the last keyframe is past
+    for (const int pin : pins.all)  // at rest after the last keyframe
       CHECK(simulation->velocities().row(pin).norm() == 0);
   }
 }
@@ -113,7 +113,7 @@ TEST_CASE("moving pins turn about an axis, then shift", "[effects]") {
                                          {"axis", Numbers{0, 0, 2}},
                                          {"centre", Numbers{1, 2, 7}}});
   State<double> state = test::state_of<double>(rest, pins);
-  state.origin = {0.5, 0.5, 0};  // positions are relative to it
+  state.origin = {0.5, 0.5, 0};  // positions are relative to this origin
   for (const double time : {0.5, 1.0}) {
     State<double> moved = state;
     test::run(passes, moved, 0, time);
@@ -122,12 +122,12 @@ TEST_CASE("moving pins turn about an axis, then shift", "[effects]") {
       const Vector3 r = state.position[i].vector() + state.origin - Vector3(1, 2, 7);
       const Vector3 turned = time < 1 ? Vector3(-r.y(), r.x(), r.z()) : Vector3(-r.x(), -r.y(), r.z());
       const Vector3 expected = Vector3(1, 2, 7) + turned + Vector3(0, 0, 3 * time);
-      CHECK((moved.position[i].vector() + state.origin - expected).norm() < 1e-14);  // a few roundings of 7
+      CHECK((moved.position[i].vector() + state.origin - expected).norm() < 1e-14);  // roundings near 7
     }
   }
 }
 
-TEST_CASE("moving pins take the rings along that are pinned around them", "[effects]") {
+TEST_CASE("moving pins take along the pinned rings around them", "[effects]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   std::vector<int> corners = select_vertices(rest, Place::upper_left);
   const int right = select_vertices(rest, Place::upper_right).front(), left = corners.front();
@@ -144,7 +144,7 @@ TEST_CASE("moving pins take the rings along that are pinned around them", "[effe
     CHECK(state.position[static_cast<std::size_t>(v)].z == (moving.pinned(v) ? 1 : 0));
 }
 
-TEST_CASE("moving pins: lists of their own for each side, the cloth follows", "[effects]") {
+TEST_CASE("moving pins: the cloth follows two sides that move on their own paths", "[effects]") {
   const RestMesh rest(grid(1, 1, 12, 12));
   std::vector<int> sides = select_vertices(rest, Place::left);
   for (const int vertex : select_vertices(rest, Place::right)) sides.push_back(vertex);
@@ -152,7 +152,7 @@ TEST_CASE("moving pins: lists of their own for each side, the cloth follows", "[
   SimulationInput input = test::sheet(rest, pins, "crossover");
   std::vector<Pass<double>> passes = test::effect_passes<double>("rigid_damping", "rate", 4.0);
   passes.push_back(test::effect_passes<double>("gravity").front());
-  for (const char* side : {"left", "right"}) {  // both up by 1 m, towards each other by 0.2 m
+  for (const char* side : {"left", "right"}) {  // both rise by 1 m and approach each other by 0.2 m
     const double inward = std::string(side) == "left" ? 0.1 : -0.1;
     passes.push_back(test::passes_of<double>("moving_pins", rest, pins,
                                              {{"vertices", Names{side}},
@@ -170,11 +170,12 @@ TEST_CASE("moving pins: lists of their own for each side, the cloth follows", "[
     CHECK(positions(v, 2) > 0.5);
   }
   const int middle = select_vertices(rest, Place::centre).front();
-  CHECK(std::abs(row(positions, middle).x() - rest.position(middle).x()) < 0.02);  // it hangs in the middle
+  CHECK(std::abs(row(positions, middle).x() - rest.position(middle).x()) < 0.02);  // symmetric
   CHECK(row(positions, middle).z() < 0.8);
 }
 
-TEST_CASE("moving pins: what cannot be is refused where it stands", "[effects]") {
+TEST_CASE("moving pins: a config with impossible settings is refused, with a pointer to the effect",
+          "[effects]") {
   const auto refused = [](const std::string& effect, const std::string& text) {
     INFO(effect);
     const ConfigProblems problems = problems_of(effect);
@@ -195,7 +196,7 @@ TEST_CASE("moving pins: what cannot be is refused where it stands", "[effects]")
   refused(R"("times": [0], "angles": [10], "axis": [0, 0, 0])", "axis has no length");
 }
 
-TEST_CASE("moving pins that do not move, or are not there, have no pass", "[effects]") {
+TEST_CASE("moving pins have no pass if nothing moves or no vertex is pinned", "[effects]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins pins = make_pins(rest, {0}, 0), none = make_pins(rest, {}, 0);
   const test::Changes moves = {{"offsets", Numbers{1, 0, 0}}};

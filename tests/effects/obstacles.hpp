@@ -1,4 +1,4 @@
-// Obstacles' settings and single vertices, for the tests of obstacles and friction.
+// Settings of obstacles and loose vertices, for the tests of obstacles and friction.
 #pragma once
 
 #include <utility>
@@ -24,7 +24,7 @@ void add_effect(std::vector<Pass<Real>>& passes, std::string_view name, const Re
     passes.push_back(std::move(pass));
 }
 
-/// Vertices of 1 kg that nothing joins, at rest at the origin.
+/// Vertices of 1 kg that no constraint joins, at rest at the origin.
 inline RestMesh vertices(int count) {
   return RestMesh({Positions::Zero(count, 3), Triangles(0, 3), {}});
 }

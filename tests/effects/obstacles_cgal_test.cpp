@@ -1,8 +1,8 @@
-// Sheets dropped on obstacles, frame by frame against the obstacle's triangles by CGAL: no vertex nearer than
-// 95 % of the thickness, no edge through the surface.
+// Sheets are dropped on obstacles, and CGAL compares frames with the triangles of the obstacle: no vertex is
+// nearer than 95 % of the thickness, and no edge passes through the surface.
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed them
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed these headers
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
 #else
@@ -37,8 +37,8 @@ Kernel::Point_3 point_of(const Positions& x, Eigen::Index row) {
   return {x(row, 0), x(row, 1), x(row, 2)};
 }
 
-// A closed ring of points (ρ, z), each turned about z: a torus-like grid of triangles with normals outwards
-// where the ring runs counter-clockwise in (ρ, z).
+// The surface that arises when a closed ring of points (ρ, z) turns about z: triangles in a grid like on a
+// torus. Normals point outwards if the ring runs counter-clockwise in (ρ, z).
 TriangleMesh revolved(const std::vector<Vector2>& ring, int sectors) {
   const int count = static_cast<int>(ring.size());
   TriangleMesh mesh;
@@ -57,8 +57,9 @@ TriangleMesh revolved(const std::vector<Vector2>& ring, int sectors) {
   return mesh;
 }
 
-// All points within `radius` of the segment from 0 to `core` on the ρ axis, or (upright) of half a segment on
-// the z axis: half circles joined by lines. Inscribed: on or inside the shape itself.
+// The outline of all points within `radius` of a segment: half circles joined by lines. The segment goes from
+// 0 to `core` on the ρ axis, or (upright) from -core to core on the z axis. Its points are on the shape, so
+// lines between them are inside.
 std::vector<Vector2> outline(double radius, double core, bool upright) {
   constexpr int steps = 48;
   std::vector<Vector2> points;
@@ -78,7 +79,7 @@ std::vector<Vector2> circle(double centre, double radius) {
   return points;
 }
 
-// A cube that stands on an edge or, turned twice, on a corner.
+// A cube turned by `turn`, so that it can stand on an edge or a corner.
 TriangleMesh cube(double half, const Eigen::Matrix3d& turn) {
   TriangleMesh mesh;
   mesh.positions.resize(8, 3);
@@ -130,14 +131,14 @@ std::vector<Obstacle> obstacles() {
       {"torus", "mesh_obstacle", {}, revolved(circle(0.15, 0.04), 48), 0.04, true}};
 }
 
-struct Found {
+struct Contacts {
   double nearest = 1e9;  // m, of a vertex to the surface
   int edges_through = 0;
   int touched = 0;
 };
 
 template <class Real>
-Found dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
+Contacts dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
   const auto file = std::filesystem::temp_directory_path() / ("bendlab-dropped-" + obstacle.label + ".obj");
   Settings settings = obstacle.settings;
   settings.emplace_back("thickness", thickness);
@@ -147,8 +148,8 @@ Found dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
   }
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   input.positions.rowwise() += Eigen::RowVector3d(0.011, 0.007, obstacle.top + 0.03);
-  // Edges are not followed through a substep: at 4 m/s, the speed of the end, they may move by 17 mm, less
-  // than the smallest obstacle and its thickness, 20 mm + 5 mm.
+  // The solver does not follow edges through a substep. At the final speed of 4 m/s edges move by 17 mm,
+  // which is less than the smallest obstacle and its thickness, 20 mm + 5 mm.
   input.settings.iterations = 8, input.settings.substeps = 4;
   input.bending_stiffness.k = 0.1;
   std::vector<Pass<Real>> passes = test::effect_passes<Real>("gravity");
@@ -164,21 +165,21 @@ Found dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
     if (!triangle.is_degenerate()) triangles.push_back(triangle);
   }
   const CGAL::AABB_tree<Traits> tree(triangles.cbegin(), triangles.cend());
-  Found found;
+  Contacts contacts;
   for (int frame = 0; frame < 75; ++frame) {
     REQUIRE(simulation->step());
     const Positions x = simulation->positions();
     if (frame % 3 != 0) continue;
     for (Eigen::Index v = 0; v < x.rows(); ++v)
-      found.nearest =
-          std::min(found.nearest, std::sqrt(CGAL::to_double(tree.squared_distance(point_of(x, v)))));
+      contacts.nearest =
+          std::min(contacts.nearest, std::sqrt(CGAL::to_double(tree.squared_distance(point_of(x, v)))));
     for (const auto& e : rest.edges().rowwise())
-      found.edges_through += tree.do_intersect(Kernel::Segment_3(point_of(x, e(0)), point_of(x, e(1))));
+      contacts.edges_through += tree.do_intersect(Kernel::Segment_3(point_of(x, e(0)), point_of(x, e(1))));
   }
   for (const PassStatistics& pass : simulation->passes())
-    if (pass.name == obstacle.effect) found.touched += static_cast<int>(pass.acted);
+    if (pass.name == obstacle.effect) contacts.touched += static_cast<int>(pass.acted);
   if (obstacle.from_file) std::filesystem::remove(file);
-  return found;
+  return contacts;
 }
 
 }  // namespace
@@ -188,10 +189,10 @@ TEMPLATE_TEST_CASE("a sheet dropped on an obstacle stays out of it", "[effects][
   for (const Obstacle& obstacle : obstacles())
     for (const double friction : {0.0, 0.5}) {
       INFO(obstacle.label << ", friction " << friction);
-      const Found found = dropped<TestType>(obstacle, rest, friction);
-      CHECK(found.touched > 0);
-      CHECK(found.nearest >= 0.95 * thickness);
-      CHECK(found.edges_through == 0);
+      const Contacts contacts = dropped<TestType>(obstacle, rest, friction);
+      CHECK(contacts.touched > 0);
+      CHECK(contacts.nearest >= 0.95 * thickness);
+      CHECK(contacts.edges_through == 0);
     }
 }
 

@@ -1,4 +1,4 @@
-// Obstacles against their geometry: how far they push, when, and what they cannot do.
+// Obstacles agree with their geometry: when and how far they push, and that no vertex passes through them.
 #include "tests/effects/obstacles.hpp"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ TriangleMesh box(const Vector3& half) {
   return mesh;
 }
 
-// A mesh in a file that goes away with it.
+// A mesh in a file. The destructor removes the file.
 struct MeshFile {
   std::filesystem::path path;
   MeshFile(const char* name, const TriangleMesh& mesh)
@@ -40,7 +40,7 @@ struct MeshFile {
   MeshFile& operator=(const MeshFile&) = delete;
 };
 
-// An obstacle with its signed distance, from its definition.
+// An obstacle and its signed distance by definition.
 struct Shape {
   std::string name;
   Settings settings;
@@ -83,7 +83,7 @@ std::pair<Positions, Positions> step_of(const RestMesh& rest, const Positions& p
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("obstacles keep their thickness from every vertex and move no other",
+TEMPLATE_TEST_CASE("obstacles push near vertices out to their thickness and move no other vertex",
                    "[effects][obstacles]", float, double) {
   const MeshFile cube("cube", box({0.2, 0.2, 0.2}));
   const RestMesh rest = test::vertices(1000);
@@ -91,8 +91,8 @@ TEMPLATE_TEST_CASE("obstacles keep their thickness from every vertex and move no
     INFO(shape.name);
     std::mt19937_64 random(3);
     Positions positions(rest.vertex_count(), 3);
-    const double shallow =
-        std::min(0.05, shape.half_size / 2);  // deeper: which way is nearest is another test's
+    // Not deeper: another test checks which way out is nearest.
+    const double shallow = std::min(0.05, shape.half_size / 2);
     for (Eigen::Index v = 0; v < positions.rows(); ++v) {
       Vector3 x;
       do x = test::random_vector(random, 0.5);
@@ -115,8 +115,8 @@ TEMPLATE_TEST_CASE("obstacles keep their thickness from every vertex and move no
         CHECK(start == end);  // to the bit
       } else if (before < thickness - rounding) {
         ++pushed;
-        CHECK_THAT(shape.height(end), WithinAbs(thickness, 2 * rounding));  // out to the thickness
-        CHECK_THAT((end - start).norm(), WithinAbs(thickness - before, 4 * rounding));  // the nearest way
+        CHECK_THAT(shape.height(end), WithinAbs(thickness, 2 * rounding));              // at its thickness
+        CHECK_THAT((end - start).norm(), WithinAbs(thickness - before, 4 * rounding));  // by the shortest way
       }
     }
     CHECK(pushed > 5);
@@ -124,7 +124,7 @@ TEMPLATE_TEST_CASE("obstacles keep their thickness from every vertex and move no
 }
 
 TEMPLATE_TEST_CASE("a vertex at 50 m/s does not tunnel", "[effects][obstacles]", float, double) {
-  const MeshFile cube("fast", box({0.2, 0.2, 0.004}));  // 8 mm, a hundredth of a step's way
+  const MeshFile cube("fast", box({0.2, 0.2, 0.004}));  // 8 mm thick, a hundredth of the way in a step
   const RestMesh rest = test::vertices(200);
   std::vector<Shape> all = shapes(cube);
   all.back().height = [](const Vector3& x) {
@@ -145,15 +145,15 @@ TEMPLATE_TEST_CASE("a vertex at 50 m/s does not tunnel", "[effects][obstacles]",
     settings.emplace_back("thickness", thickness);
     add_effect(passes, shape.name, rest, settings);
     const auto [after, unused] = step_of<TestType>(rest, positions, velocities, std::move(passes));
-    // The way meets the shape's upper side (0.833 m down from at most 0.53 m, aside by at most 0.1 m): the
-    // vertex has to stay above the middle.
+    // The way of a vertex hits the upper side of the shape: it leads 0.833 m down from at most 0.53 m, and at
+    // most 0.1 m sideways. So the vertex must stay above the middle.
     CHECK(after.col(2).minCoeff() > 0);
     for (Eigen::Index v = 0; v < after.rows(); ++v)
       CHECK(shape.height(after.row(v).transpose()) >= 0.95 * thickness);
   }
 }
 
-TEST_CASE("an open mesh is kept on the side a vertex came from", "[effects][obstacles]") {
+TEST_CASE("vertices stay on their side of an open mesh", "[effects][obstacles]") {
   TriangleMesh open = grid(1, 1, 3, 3);
   const MeshFile file("open", open);
   const RestMesh rest = test::vertices(200);
@@ -172,9 +172,9 @@ TEST_CASE("an open mesh is kept on the side a vertex came from", "[effects][obst
     }
 }
 
-TEST_CASE("obstacles push and never pull, and contacts tell all of it", "[effects][obstacles]") {
+TEST_CASE("obstacles push and never pull, and contacts record every push", "[effects][obstacles]") {
   const MeshFile cube("push", box({0.2, 0.2, 0.2}));
-  const RestMesh rest(delaunay(0.8, 0.8, 9, 4));  // coarse: edges and triangles are pushed too
+  const RestMesh rest(delaunay(0.8, 0.8, 9, 4));  // coarse, so edges and triangles are pushed, too
   for (const Shape& shape : shapes(cube)) {
     INFO(shape.name);
     std::vector<Pass<double>> passes;
@@ -217,15 +217,15 @@ TEST_CASE("obstacles push and never pull, and contacts tell all of it", "[effect
   }
 }
 
-TEST_CASE("what is finer than a triangle does not come through it", "[effects][obstacles]") {
-  // One triangle, 0.4 m wide, comes down on a ball, on a rod's end and on the corner of a cube that stands on
-  // one. Its middle is the only part of it that touches.
-  TriangleMesh one;
-  one.positions.resize(3, 3);
-  one.positions << 0.23, 0, 0, -0.115, 0.2, 0, -0.115, -0.2, 0;
-  one.triangles.resize(1, 3);
-  one.triangles << 0, 1, 2;
-  const RestMesh rest(one);
+TEST_CASE("an obstacle smaller than a triangle does not pass through it", "[effects][obstacles]") {
+  // A triangle 0.4 m wide falls on a ball, on the end of a rod and on the corner of a cube that stands on the
+  // opposite corner. Only the middle of the triangle touches the obstacle.
+  TriangleMesh triangle;
+  triangle.positions.resize(3, 3);
+  triangle.positions << 0.23, 0, 0, -0.115, 0.2, 0, -0.115, -0.2, 0;
+  triangle.triangles.resize(1, 3);
+  triangle.triangles << 0, 1, 2;
+  const RestMesh rest(triangle);
   TriangleMesh standing = box({0.02, 0.02, 0.02});
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(Vector3(1, 1, 1), Vector3::UnitZ()).toRotationMatrix();
@@ -246,13 +246,13 @@ TEST_CASE("what is finer than a triangle does not come through it", "[effects][o
     double lowest = 1;
     for (int step = 0; step < 30; ++step) {
       REQUIRE(simulation->step());
-      lowest = std::min(lowest, simulation->positions().col(2).mean());  // of the middle
+      lowest = std::min(lowest, simulation->positions().col(2).mean());  // height of the middle
     }
-    CHECK_THAT(lowest, WithinAbs(top + thickness, 1e-4 * thickness));  // triangles are projected to rounding
+    CHECK_THAT(lowest, WithinAbs(top + thickness, 1e-4 * thickness));  // one projection is exact
   }
 }
 
-TEST_CASE("far from every obstacle nothing changes a bit", "[effects][obstacles]") {
+TEST_CASE("obstacles far away change no bit", "[effects][obstacles]") {
   const MeshFile cube("far", box({0.2, 0.2, 0.2}));
   const RestMesh rest(grid(1, 1, 12, 12));
   const Pins pins = make_pins(rest, {0}, 1);
@@ -271,7 +271,7 @@ TEST_CASE("far from every obstacle nothing changes a bit", "[effects][obstacles]
   CHECK(swing(shapes(cube)) == swing({}));
 }
 
-TEST_CASE("obstacles that share no vertex may stand in any order", "[effects][obstacles]") {
+TEST_CASE("obstacles that touch different vertices may be listed in any order", "[effects][obstacles]") {
   const RestMesh rest(grid(1, 1, 24, 24));
   const Settings left = {{"centre", list({-0.3, 0, -0.15})}, {"radius", 0.1}};
   const Settings right = {{"centre", list({0.3, 0, -0.15})}, {"radius", 0.1}};
@@ -288,9 +288,9 @@ TEST_CASE("obstacles that share no vertex may stand in any order", "[effects][ob
   CHECK(fall(left, right) == fall(right, left));
 }
 
-TEST_CASE("a vertex slides off a sphere as the textbook says", "[effects][obstacles]") {
-  // From rest near the top, without friction: v² = 2 g R (cos θ₀ - cos θ), until it leaves at cos θ = 2/3 cos
-  // θ₀.
+TEST_CASE("a vertex slides off a sphere as in the textbook", "[effects][obstacles]") {
+  // The vertex starts at rest near the top and slides without friction: v² = 2 g R (cos θ₀ - cos θ). It
+  // leaves the sphere at cos θ = 2/3 cos θ₀.
   const RestMesh rest = test::vertices(200);
   const double radius = 1, g = 9.81, start = 0.3;
   const auto energy_error = [&](double dt) {
@@ -306,7 +306,7 @@ TEST_CASE("a vertex slides off a sphere as the textbook says", "[effects][obstac
     add_effect(passes, "sphere", rest, {{"radius", radius}, {"thickness", thickness}});
     const auto simulation = make_simulation<double>(input, std::move(passes));
     double worst = 0;
-    while (simulation->time() < 0.5) {  // still on the sphere: it leaves at 0.63 s
+    while (simulation->time() < 0.5) {  // the vertex leaves the sphere at 0.63 s
       REQUIRE(simulation->step());
       const Positions x = simulation->positions(), v = simulation->velocities();
       for (Eigen::Index i = 0; i < x.rows(); ++i) {
@@ -322,7 +322,7 @@ TEST_CASE("a vertex slides off a sphere as the textbook says", "[effects][obstac
   CHECK(fine_error < 0.02 * g * radius);
 }
 
-TEST_CASE("a moving obstacle takes the cloth along and knows how fast its surface is",
+TEST_CASE("a moving obstacle takes the cloth along, and its contacts know the motion of the surface",
           "[effects][obstacles]") {
   const RestMesh rest = test::vertices(200);
   // A plane that rises at 3 m/s under a sheet at rest.
@@ -333,7 +333,7 @@ TEST_CASE("a moving obstacle takes the cloth along and knows how fast its surfac
   CHECK_THAT(after.col(2).minCoeff(), WithinAbs(0.03 + thickness, 1e-12));
   CHECK_THAT(after.col(2).maxCoeff(), WithinAbs(0.03 + thickness, 1e-12));
 
-  // A turntable: what was at x is at R(ωh) x, and moves on.
+  // A turntable that also moves: a point at x goes to R(ωh) x plus the shift.
   passes.clear();
   add_effect(passes, "disc", rest, {{"spin", 20.0}, {"velocity", list({1, 0, 0})}});
   State<double> state;
@@ -354,10 +354,10 @@ TEST_CASE("a moving obstacle takes the cloth along and knows how fast its surfac
   }
 }
 
-TEST_CASE("a mesh's inside, ridges and crossings are a cube's", "[mesh]") {
+TEST_CASE("a mesh of a cube has the inside, ridges and crossings of a cube", "[mesh]") {
   const MeshSurface cube(box({1, 1, 1}));
   CHECK(cube.closed());
-  CHECK(cube.ridges().size() == 12);  // the diagonals of the faces are flat
+  CHECK(cube.ridges().size() == 12);  // diagonals of the faces are flat, so they are no ridges
   std::mt19937_64 random(2);
   for (int i = 0; i < 2000; ++i) {
     const Vector3 x = test::random_vector(random, 1.5), out = x.cwiseAbs().array() - 1;
@@ -378,7 +378,7 @@ TEST_CASE("a mesh's inside, ridges and crossings are a cube's", "[mesh]") {
   CHECK(MeshSurface(inside_out).nearest({0, 0, 0.5}).inside);
 }
 
-TEST_CASE("settings of obstacles that make no shape are refused", "[effects][obstacles]") {
+TEST_CASE("settings that define no valid obstacle are refused", "[effects][obstacles]") {
   const RestMesh rest = test::vertices(200);
   std::vector<Pass<float>> passes;
   CHECK_THROWS_AS(add_effect(passes, "plane", rest, {{"normal", list({0, 0, 0})}}), std::invalid_argument);

@@ -1,4 +1,4 @@
-// An effect's passes by themselves: on a state that a test makes, without a solver.
+// Runs the passes of an effect without a solver, on a state that a test makes.
 #pragma once
 
 #include <initializer_list>
@@ -16,7 +16,7 @@ std::vector<Pass<Real>> passes_of(std::string_view name, const RestMesh& rest, c
   return bendlab::passes_of<Real>(effect, {rest, pins, {}, effect.kind().uses_contacts});
 }
 
-/// A cloth in its rest shape, at rest; masses of 0.2 kg/m².
+/// A cloth at rest in its rest shape, with 0.2 kg/m².
 template <class Real>
 State<Real> state_of(const RestMesh& rest, const Pins& pins) {
   State<Real> state;
@@ -33,7 +33,7 @@ State<Real> state_of(const RestMesh& rest, const Pins& pins) {
   return state;
 }
 
-/// Runs the passes once; returns how often they say they acted.
+/// Runs the passes once, and returns how often they acted by their own count.
 template <class Real>
 std::uint64_t run(std::vector<Pass<Real>>& passes, State<Real>& state, double substep, double time = 0) {
   const Constraints<Real> none;

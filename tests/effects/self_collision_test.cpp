@@ -1,4 +1,5 @@
-// Cloth against itself: what must not happen, whatever the speed, and what may not change.
+// Collisions of cloth with itself: no crossings at any speed, and no change of momenta or of results
+// elsewhere.
 #include <numeric>
 #include <set>
 
@@ -37,7 +38,7 @@ RestMesh two_triangles() {
   return RestMesh(std::move(mesh));
 }
 
-// Vertices on their way through a substep.
+// The state within a substep, in which vertices move from `from` to `to`.
 template <class Real>
 State<Real> state_on_the_way(const Positions& from, const Positions& to, const std::vector<double>& mass,
                              const std::vector<int>& permutation = {}) {
@@ -69,7 +70,7 @@ Positions positions_of(const State<Real>& state, const std::vector<int>& permuta
   return positions;
 }
 
-// Runs the passes of a stage; how many pairs they say they corrected.
+// Runs the passes of a stage, and returns how many pairs they corrected by their own count.
 template <class Real>
 std::uint64_t run(std::vector<Pass<Real>>& passes, Stage stage, State<Real>& state,
                   double substep = 1.0 / 60) {
@@ -80,7 +81,7 @@ std::uint64_t run(std::vector<Pass<Real>>& passes, Stage stage, State<Real>& sta
   return context.acted;
 }
 
-// A crumpled sheet: triangles near each other everywhere, none through another.
+// A crumpled sheet: triangles are near each other everywhere, but none intersect.
 Positions crumpled(const RestMesh& rest, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const double height = test::uniform(random, 0.02, 0.05), waves = test::uniform(random, 20, 40);
@@ -98,7 +99,7 @@ Corners rows(const Positions& positions, const std::array<int, 4>& vertices) {
   return corners;
 }
 
-// Every pair of a mesh without a common vertex.
+// Every vertex and triangle, and every two edges, of a mesh without a common vertex.
 std::vector<std::pair<Pairing, std::array<int, 4>>> all_pairs(const RestMesh& rest) {
   std::vector<std::pair<Pairing, std::array<int, 4>>> pairs;
   const Triangles& t = rest.triangles();
@@ -114,7 +115,8 @@ std::vector<std::pair<Pairing, std::array<int, 4>>> all_pairs(const RestMesh& re
   return pairs;
 }
 
-// The same pair by the names of its vertices, in any order within an element and of two edges.
+// A unique name of a pair. It depends neither on the order of vertices within an edge or triangle, nor on the
+// order of two edges.
 std::array<int, 4> sorted_name(Pairing pairing, std::array<int, 4> v) {
   if (pairing == Pairing::vertex_triangle) {
     std::sort(v.begin() + 1, v.end());
@@ -126,8 +128,8 @@ std::array<int, 4> sorted_name(Pairing pairing, std::array<int, 4> v) {
   return v;
 }
 
-// A sheet folded to and fro along x into layers `gap` apart, the turns straight down: a start without
-// intersections and not far from rest.
+// A sheet folded back and forth along x into layers about `gap` apart. It has no intersections and is close
+// to its rest shape.
 Positions accordion(const RestMesh& rest, int folds, double gap) {
   Positions positions = rest.positions();
   const double left = rest.box_min().x(), layer = (rest.box_max().x() - left) / (folds + 1);
@@ -136,7 +138,7 @@ Positions accordion(const RestMesh& rest, int folds, double gap) {
     const int below = std::min(folds, static_cast<int>(along / layer + 1e-9));
     const double within = along - below * layer;
     positions(v, 0) = below % 2 == 0 ? within : layer - within;
-    positions(v, 2) = gap * along / layer;  // layers rise evenly: gap between them on the average
+    positions(v, 2) = gap * along / layer;  // layers rise evenly, so they are `gap` apart on average
   }
   return positions;
 }
@@ -164,7 +166,7 @@ TEMPLATE_TEST_CASE("a vertex shot at a triangle at 50 m/s stays on its side", "[
     input.size = rest.size();
     input.is_pinned.assign(6, 0);
     input.positions = rest.positions();
-    // A vertex is shot through the middle of the other triangle, or drags an edge over one of its edges.
+    // A vertex is shot at the middle of the other triangle, or drags an edge across an edge of this triangle.
     const bool edges = seed % 2 == 1;
     input.positions.bottomRows(3) << 0.03, 0.03, 0.3, 0.02, 0.05, 0.4, 0.05, 0.02, 0.4;
     if (edges) input.positions.bottomRows(3) << 0.05, -0.06, 0.3, 0.05, 0.04, 0.2, 0.05, -0.01, 0.4;
@@ -180,16 +182,16 @@ TEMPLATE_TEST_CASE("a vertex shot at a triangle at 50 m/s stays on its side", "[
     INFO("seed " << seed);
     const Corners x = rows(simulation->positions(), edges ? std::array{3, 4, 0, 1} : std::array{3, 0, 1, 2});
     const Vector3 gap = shortest_gap(edges ? Pairing::edge_edge : Pairing::vertex_triangle, x).vector;
-    CHECK(gap.dot(turn * Vector3::UnitZ()) > 0);  // on the side it came from
-    // Ten iterations on triangles that turn meanwhile; the dragged edge turns by 45 degrees, away from the
-    // other.
+    CHECK(gap.dot(turn * Vector3::UnitZ()) > 0);  // still on its own side
+    // The tolerance allows for ten iterations on triangles that turn meanwhile. The dragged edge turns by 45
+    // degrees, away from the other edge, so its gap may be larger.
     CHECK(gap.norm() >= 0.99 * thickness);
     if (!edges) CHECK(gap.norm() <= 1.01 * thickness);
     CHECK(simulation->passes().back().acted + simulation->passes()[1].acted > 0);
     const Motion after = motion_of(input.mass, simulation->positions(), simulation->velocities());
     const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
-    const double scale =
-        60 * 0.02;  // kg m/s: what a position's rounding, eps m in 1/60 s, is on the heaviest vertex
+    // kg m/s over eps: the momentum of the heaviest vertex if rounding moves it by eps m in 1/60 s.
+    const double scale = 60 * 0.02;
     CHECK((after.linear_momentum - before.linear_momentum).norm() <= 6 * eps * scale);
     REQUIRE((simulation->step() && simulation->step()));
     CHECK(self_intersections(simulation->positions(), rest.triangles()).empty());
@@ -209,12 +211,12 @@ TEMPLATE_TEST_CASE("a correction keeps both momenta", "[effects][self_collision]
                      test::random_vector(random, 1).cwiseProduct(Vector3(0.1, 0.1, 0.002)))
                         .transpose();
     to = from;
-    to.bottomRows(3).col(2).array() -= 0.006;  // nearer than the thickness, but not through
+    to.bottomRows(3).col(2).array() -= 0.006;  // nearer than the thickness, but on the same side
     std::vector<double> mass;
     for (int v = 0; v < 6; ++v) mass.push_back(test::uniform(random, 0.5, 2));
     State<TestType> state = state_on_the_way<TestType>(from, to, mass);
     auto passes = collision<TestType>(rest);
-    // One pair at a time is tested where only one is corrected.
+    // Only cases in which exactly one pair is corrected are checked.
     const Positions before = positions_of(state);
     if (run(passes, Stage::project, state) != 1) continue;
     ++corrected;
@@ -226,16 +228,16 @@ TEMPLATE_TEST_CASE("a correction keeps both momenta", "[effects][self_collision]
       linear += m * d, angular += m * x.cross(d);
     }
     CHECK(moved.norm() > 0);
-    CHECK(linear.norm() <= 20 * eps * 0.1);    // kg m: coordinates of 0.1 m rounded, six masses of up to 2 kg
-    CHECK(angular.norm() <= 20 * eps * 0.02);  // kg m²: the same at arms of 0.14 m
+    CHECK(linear.norm() <= 20 * eps * 0.1);    // kg m: rounding of 0.1 m, six masses of up to 2 kg
+    CHECK(angular.norm() <= 20 * eps * 0.02);  // kg m²: the same with arms of 0.14 m
   }
   CHECK(corrected >= 20);
 }
 
-TEMPLATE_TEST_CASE("a pair comes apart from where it is at the start of each substep",
+TEMPLATE_TEST_CASE("a near pair moves apart by the same distance in each substep, new or known",
                    "[effects][self_collision]", float, double) {
-  // A vertex above a triangle, nearer than the thickness. In a tenth of 0.02 s it comes apart by a tenth of
-  // the thickness, whether its pair was just found or is known from the substep before.
+  // A vertex above a triangle, nearer than the thickness. In a tenth of 0.02 s it moves away by a tenth of
+  // the thickness, whether its pair is new or known from the previous substep.
   const RestMesh rest = two_triangles();
   Positions at = rest.positions();
   at.bottomRows(3) << 0.03, 0.03, 0.004, 0.02, 0.05, 0.1, 0.05, 0.02, 0.1;
@@ -252,10 +254,10 @@ TEMPLATE_TEST_CASE("a pair comes apart from where it is at the start of each sub
   }
 }
 
-TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
+TEST_CASE("the list of near pairs misses no pair that can come near", "[effects][self_collision]") {
   const RestMesh rest(delaunay(1, 1, 10, 4));
   const auto pairs = all_pairs(rest);
-  // Of thick cloth, most pairs are nearer than the thickness at rest, and have smaller targets.
+  // In thick cloth most pairs are nearer than the thickness at rest, so their target distance is smaller.
   const double thick = thickness * GENERATE(1, 40);
   std::size_t near = 0, listed = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
@@ -267,18 +269,18 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
       to.row(v) += (shared + test::random_vector(random, 0.01)).transpose();
     const State<double> state =
         state_on_the_way<double>(from, to, std::vector<double>(static_cast<std::size_t>(to.rows()), 1.0));
-    NearPairs<double> found({rest, make_pins(rest, {}, 0), {}}, thick);
-    CHECK_FALSE(found.cover(state.position));
-    found.begin(state, 0.001);
-    CHECK(found.cover(state.position));
+    NearPairs<double> near_pairs({rest, make_pins(rest, {}, 0), {}}, thick);
+    CHECK_FALSE(near_pairs.cover(state.position));
+    near_pairs.begin(state, 0.001);
+    CHECK(near_pairs.cover(state.position));
     std::set<std::pair<Pairing, std::array<int, 4>>> names;
-    for (const NearPair& pair : found.pairs())
+    for (const NearPair& pair : near_pairs.pairs())
       names.insert({pair.pairing, sorted_name(pair.pairing, pair.vertices)});
-    CHECK(names.size() == found.pairs().size());  // each once
+    CHECK(names.size() == near_pairs.pairs().size());  // no duplicates
     for (const auto& [pairing, vertices] : pairs) {
       const double at_rest = shortest_gap(pairing, rows(rest.positions(), vertices)).vector.norm();
       const double target = std::min(thick, 0.5 * at_rest);
-      // Anywhere on the way counts.
+      // The smallest distance on the way through the substep counts.
       double least = 1e300;
       for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0})
         least =
@@ -289,12 +291,12 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
     }
     listed += names.size();
   }
-  CHECK(near > 1000);                   // the sample means something
-  CHECK(listed < near + pairs.size());  // and the lists are not simply everything, four times over
+  CHECK(near > 1000);                   // the sample is large enough
+  CHECK(listed < near + pairs.size());  // the four lists do not simply hold all pairs
 }
 
-TEMPLATE_TEST_CASE("where nothing is near, self-collision leaves the same bits", "[effects][self_collision]",
-                   float, double) {
+TEMPLATE_TEST_CASE("self-collision changes no bit if nothing is near", "[effects][self_collision]", float,
+                   double) {
   const RestMesh rest(grid(1, 1, 16, 16));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
   std::vector<std::uint64_t> acted;
@@ -312,14 +314,14 @@ TEMPLATE_TEST_CASE("where nothing is near, self-collision leaves the same bits",
   CHECK(with == end(false));
 }
 
-TEST_CASE("self-collision has no pass where there is nothing to collide", "[effects][self_collision]") {
+TEST_CASE("self-collision has no pass if every vertex is pinned", "[effects][self_collision]") {
   const RestMesh rest(grid(1, 1, 1, 1));
   CHECK(test::effect_passes<float>("self_collision", rest, make_pins(rest, {}, 0)).size() == 2);
   CHECK(test::effect_passes<float>("self_collision", rest, make_pins(rest, {0, 1, 2, 3}, 0)).empty());
 }
 
-TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effects][self_collision]", float,
-                   double) {
+TEMPLATE_TEST_CASE("self-collision gives the same bits in any numbering of vertices",
+                   "[effects][self_collision]", float, double) {
   const RestMesh rest(grid(1, 1, 20, 20));
   const auto count = static_cast<std::size_t>(rest.vertex_count());
   std::mt19937_64 random(6);
@@ -336,14 +338,16 @@ TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effect
     run(passes, Stage::velocity, state);
     return positions_of(state, where);
   };
-  // Sums over all vertices only widen boxes; what decides is compared pair by pair.
+  // Sums over all vertices, whose rounding depends on the order, only widen boxes. Decisions are made pair by
+  // pair.
   CHECK(after({}) == after(permutation));
 }
 
-TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[effects][self_collision]",
-                   float, double) {
-  // Only the last pass, on displacements that throw layers through each other, substep after substep. With
-  // seed 10 large zones turn far: one more move after the last look would cross layers in the seventh.
+TEMPLATE_TEST_CASE("the last pass removes all crossings that the iterations leave",
+                   "[effects][self_collision]", float, double) {
+  // Only the last pass runs. In every substep the displacements throw layers through each other. With seed 10
+  // large zones turn far: a move after the last check for crossings would cross layers in the seventh
+  // substep.
   const RestMesh rest(grid(1, 1, 16, 16));
   const std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0.1);
   const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
@@ -361,17 +365,19 @@ TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[
       const Positions end = positions_of(state);
       INFO("seed " << seed << ", substep " << substep);
       CHECK(self_intersections(end, rest.triangles()).empty());
-      // Equal masses: momentum is the sum. Each of thousands of moves rounds coordinates of up to 0.5 m.
+      // With equal masses the momentum is the sum of the moves. Thousands of moves round coordinates of up to
+      // 0.5 m.
       CHECK((end.colwise().sum() - to.colwise().sum()).norm() <= 3e4 * eps * 0.5);
       from = end;
     }
   }
 }
 
-TEMPLATE_TEST_CASE("cloth between two pinned triangles that shut goes with their mean",
+TEMPLATE_TEST_CASE("cloth between two pinned triangles that close moves by the mean of their moves",
                    "[effects][self_collision]", float, double) {
-  // A free triangle lies between two pinned ones. The upper one comes down to a gap that holds no cloth, so
-  // that no order of pushes ends. All three then move as one: by the mean of what the pinned ones move.
+  // A free triangle lies between two pinned triangles. The upper one comes down so far that the gap is too
+  // small for cloth, so pushes in any order would never end. All three then move as one, by the mean of the
+  // pinned moves.
   TriangleMesh mesh;
   mesh.positions.resize(9, 3);
   mesh.positions << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 1, 0, 0, 1.1, 0, 0, 1, 0.1, 0, 2, 0, 0, 2.1, 0, 0, 2, 0.1,
@@ -417,7 +423,7 @@ TEST_CASE("a sheet folded four times falls onto itself without passing through",
   CHECK(intersections_after(1, false) > 0);
 }
 
-TEST_CASE("self-collision has the same bits for any number of threads", "[effects][self_collision]") {
+TEST_CASE("self-collision gives the same bits with any number of threads", "[effects][self_collision]") {
   const RestMesh rest(grid(1, 1, 48, 48));
   const auto end = [&](int threads) {
     SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");

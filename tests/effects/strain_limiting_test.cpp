@@ -1,4 +1,4 @@
-// Strain limiting against its bounds, and against what it must leave alone.
+// Strain limiting: stretches end within their bounds, and triangles within bounds do not change.
 #include <Eigen/SVD>
 #include <cstring>
 
@@ -8,7 +8,7 @@
 namespace bendlab {
 namespace {
 
-// σ₁, σ₂ of triangle t, by Eigen's Jacobi SVD of edges [x₁ - x₀, x₂ - x₀] against rest edges in their plane.
+// σ₁, σ₂ of triangle t, by Eigen's Jacobi SVD. F maps the rest edges, in their plane, to [x₁ - x₀, x₂ - x₀].
 template <class Real>
 Eigen::Vector2d stretches(const RestMesh& rest, const State<Real>& state, int t) {
   const auto x = [&](int c) -> Vector3 {
@@ -18,20 +18,20 @@ Eigen::Vector2d stretches(const RestMesh& rest, const State<Real>& state, int t)
   Eigen::Matrix<double, 3, 2> now, before;
   now << x(1) - x(0), x(2) - x(0);
   before << q(1) - q(0), q(2) - q(0);
-  // F now lives in the plane: now · before⁺ has the stretches and a zero.
+  // now · before⁺ has the two stretches and a zero as singular values.
   const Eigen::Matrix3d f = now * (before.transpose() * before).inverse() * before.transpose();
   return Eigen::JacobiSVD<Eigen::Matrix3d>(f).singularValues().head<2>();
 }
 
-// The smallest and largest stretch of the mesh, but for triangles that are pinned all round.
+// The smallest and largest stretch of the mesh, without triangles whose three corners are pinned.
 template <class Real>
 Eigen::Vector2d extremes(const RestMesh& rest, const State<Real>& state) {
   Eigen::Vector2d least_most(1e300, 0);
   for (int t = 0; t < rest.triangle_count(); ++t) {
-    bool held = true;
+    bool all_pinned = true;
     for (int c = 0; c < 3; ++c)
-      held &= state.position[static_cast<std::size_t>(rest.triangles()(t, c))].w == 0;
-    if (held) continue;
+      all_pinned &= state.position[static_cast<std::size_t>(rest.triangles()(t, c))].w == 0;
+    if (all_pinned) continue;
     const Eigen::Vector2d s = stretches(rest, state, t);
     least_most = {std::min(least_most(0), s(1)), std::max(least_most(1), s(0))};
   }
@@ -49,7 +49,7 @@ RestMesh random_triangle(std::mt19937_64& random) {
   return RestMesh(mesh);
 }
 
-// Somewhere else, any shape, any masses; the first `pinned` corners are pins.
+// The triangle with random positions and masses. Its first `pinned` corners are pinned.
 State<double> deformed(const RestMesh& rest, std::mt19937_64& random, int pinned) {
   State<double> state = test::state_of<double>(rest, make_pins(rest, {}, 0));
   for (std::size_t v = 0; v < 3; ++v) {
@@ -80,13 +80,13 @@ TEST_CASE("strain limiting: one projection limits a triangle of any masses and k
       State<double> state = deformed(rest, random, pinned);
       const State<double> before = state;
       const Eigen::Vector2d old = stretches(rest, state, 0);
-      if (old(1) < 1e-3 * old(0)) continue;  // a needle's σ₂ is rounding
+      if (old(1) < 1e-3 * old(0)) continue;  // σ₂ of a needle consists of rounding
       const Pins pins = make_pins(rest, pinned ? std::vector<int>{0} : std::vector<int>{}, 0);
       auto passes = test::passes_of<double>("strain_limiting", rest, pins);
       const bool outside = old(0) > 1.1 || old(1) < 0.9;
       CHECK(test::run(passes, state, 0.01) == (outside ? 1 : 0));
       const Eigen::Vector2d now = stretches(rest, state, 0);
-      // From FᵀF: σ₂² is rounded to 1e-16 σ₁², at most 10⁶ σ₂².
+      // The pass uses FᵀF, where σ₂² has a rounding of 1e-16 σ₁² and σ₁² is at most 10⁶ σ₂².
       CHECK(std::abs(now(0) - clamped(old(0))) < 1e-9);
       CHECK(std::abs(now(1) - clamped(old(1))) < 1e-9);
       Vector3 shift = Vector3::Zero(), turn = Vector3::Zero();
@@ -106,7 +106,8 @@ TEST_CASE("strain limiting: one projection limits a triangle of any masses and k
   }
 }
 
-TEST_CASE("strain limiting: between two pins the free corner comes to where the bounds hold", "[effects]") {
+TEST_CASE("strain limiting: the free corner of a triangle with two pins moves within the bounds",
+          "[effects]") {
   const RestMesh rest(grid(1, 1, 1, 1));
   const Pins pins = make_pins(rest, {rest.triangles()(0, 0), rest.triangles()(0, 1)}, 0);
   auto passes = test::passes_of<double>("strain_limiting", rest, pins);
@@ -127,7 +128,7 @@ TEST_CASE("strain limiting: between two pins the free corner comes to where the 
   }
 }
 
-TEST_CASE("strain limiting leaves what is within bounds alone, to the last bit", "[effects]") {
+TEST_CASE("strain limiting changes no bit of a sheet within bounds", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 10, 3));
   const Pins none = make_pins(rest, {}, 0);
   auto passes = test::passes_of<float>("strain_limiting", rest, none);
@@ -140,7 +141,7 @@ TEST_CASE("strain limiting leaves what is within bounds alone, to the last bit",
   CHECK(same_bits(state.position, before.position));
 }
 
-TEST_CASE("strain limiting of a triangle without area is finite and leaves a line its direction",
+TEST_CASE("strain limiting of a triangle without area is finite, and a line keeps its direction",
           "[effects]") {
   std::mt19937_64 random(6);
   const RestMesh rest = random_triangle(random);
@@ -157,10 +158,11 @@ TEST_CASE("strain limiting of a triangle without area is finite and leaves a lin
   }
 }
 
-// Gauss-Seidel on a mesh 10 triangles wide: its error goes down by a constant factor per sweep. A flat sheet
-// that is squeezed could fold over in its plane, where no sweep gets it out again: it is rough by 1 % of its
-// size.
-TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "[effects]", float, double) {
+// Gauss-Seidel on a mesh 10 triangles wide: its error shrinks by a constant factor per sweep. A squeezed flat
+// sheet could fold over within its plane, and no sweep could undo this. So the sheet has a roughness of 1 %
+// of its size.
+TEMPLATE_TEST_CASE("strain limiting brings a stretched or squeezed sheet within bounds", "[effects]", float,
+                   double) {
   const RestMesh rest(delaunay(1, 1, 10, 3));
   std::mt19937_64 random(2);
   for (const bool held : {false, true})
@@ -183,12 +185,12 @@ TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "
     }
 }
 
-TEST_CASE("strain limiting takes energy from a hanging sheet", "[effects]") {
+TEST_CASE("strain limiting reduces the energy of a hanging sheet", "[effects]") {
   const RestMesh rest(grid(1, 1, 16, 16));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const SimulationInput input = test::sheet(rest, pins, "crossover");
   const double weight = 9.81;
-  // Kinetic energy of what the step would now end with, and potential energy, J.
+  // Kinetic energy if the step ended now, and the sum with the potential energy, J.
   const auto energies = [&](const State<double>& state, double h) {
     double kinetic = 0, potential = 0;
     for (std::size_t v = 0; v < state.mass.size(); ++v) {
@@ -218,10 +220,10 @@ TEST_CASE("strain limiting takes energy from a hanging sheet", "[effects]") {
     double energy = 0;
     for (int i = 0; i < rest.vertex_count(); ++i)
       energy += input.mass[static_cast<std::size_t>(i)] * (0.5 * v.row(i).squaredNorm() + weight * x(i, 2));
-    REQUIRE(energy < 0);  // the start's: level, at rest
+    REQUIRE(energy < 0);  // 0 is the energy at the start: level, at rest
   }
   CHECK(kinetic_rises == 0);
-  // Pulling the cloth up to its pin lifts it, and may cost more than the kinetic energy that it takes.
+  // Pulling the cloth towards its pin lifts it. This may add more energy than the limiting removes.
   CHECK(rises < 1e-4 * falls);
   CHECK(falls > 0.1);
 }

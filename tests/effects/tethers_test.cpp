@@ -1,4 +1,4 @@
-// Long-range attachments against what they promise.
+// Long-range attachments keep every vertex within the length of cloth to its pin.
 #include <array>
 
 #include "bendlab/mesh/geodesics.hpp"
@@ -8,7 +8,8 @@
 namespace bendlab {
 namespace {
 
-// A sheet stretched about its first pin, without constraints of its own, after one step with one iteration.
+// Positions after one step with one iteration. The sheet starts stretched about its first pin, and has no
+// constraints.
 template <class Real>
 Positions after_a_step(const RestMesh& rest, const Pins& pins, std::vector<Pass<Real>> passes,
                        double stretch) {
@@ -29,7 +30,7 @@ Pins two_corners(const RestMesh& rest) {
   return make_pins(rest, seeds, 0);
 }
 
-// The largest of distance to a pin over the length of cloth between, over free vertices and pins.
+// The largest distance between a free vertex and a pin, over the length of cloth between them.
 double farthest(const RestMesh& rest, const Pins& pins, const Positions& positions, bool nearest_only) {
   double ratio = 0;
   for (int v = 0; v < rest.vertex_count(); ++v) {
@@ -48,49 +49,50 @@ double farthest(const RestMesh& rest, const Pins& pins, const Positions& positio
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("no vertex gets farther from its pin than the cloth is long", "[effects]", float, double) {
+TEMPLATE_TEST_CASE("tethers keep every vertex within the length of cloth to its pin", "[effects]", float,
+                   double) {
   const RestMesh rest(delaunay(1, 1, 16, 5));
-  const Pins one = make_pins(rest, select_vertices(rest, Place::upper_right), 0);
+  const Pins corner = make_pins(rest, select_vertices(rest, Place::upper_right), 0);
   for (const double slack : {0.0, 0.1}) {
     const Positions positions = after_a_step<TestType>(
-        rest, one, test::effect_passes<TestType>("tethers", rest, one, "slack", slack), 3);
-    // One pin: one projection is exact to the rounding of a coordinate.
+        rest, corner, test::effect_passes<TestType>("tethers", rest, corner, "slack", slack), 3);
+    // With one pin, one projection is exact up to the rounding of a coordinate.
     const double rounding = 8 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
-    CHECK(farthest(rest, one, positions, false) <= (1 + slack) * (1 + rounding / 0.02));
-    CHECK(farthest(rest, one, positions, false) >= 1 + slack - rounding);  // the far vertices pull
+    CHECK(farthest(rest, corner, positions, false) <= (1 + slack) * (1 + rounding / 0.02));
+    CHECK(farthest(rest, corner, positions, false) >= 1 + slack - rounding);  // the far vertices pull
   }
 }
 
-TEST_CASE("tethers act on what is too far and on nothing else", "[effects]") {
+TEST_CASE("tethers change no bit if no vertex is too far away", "[effects]") {
   const RestMesh rest(grid(1, 1, 12, 12));
   const Pins pins = make_pins(rest, {0}, 1);
-  // Shrunk or at rest: not a bit moves. (Geodesics may be a rounding short: hence the slack.)
+  // Shrunk or at rest. The slack allows for the rounding of geodesics, which may be too short.
   for (const double stretch : {1.0, 0.5}) {
     const Positions with = after_a_step<double>(
         rest, pins, test::effect_passes<double>("tethers", rest, pins, "slack", 1e-9), stretch);
     const Positions without = after_a_step<double>(rest, pins, {}, stretch);
     CHECK(with == without);
   }
-  // No pins: no tether, no pass.
+  // Without pins there is no pass.
   const Pins none = make_pins(rest, {}, 0);
   CHECK(test::effect_passes<float>("tethers", rest, none).empty());
 }
 
-TEST_CASE("tethers go to each group of pins, nearest first", "[effects]") {
-  const RestMesh rest(delaunay(1, 1, 12, 2));  // no vertex as near to one corner as to the other
+TEST_CASE("tethers attach each vertex to the nearest groups of pins", "[effects]") {
+  const RestMesh rest(delaunay(1, 1, 12, 2));  // no vertex is equally near to both corners
   const Pins pins = two_corners(rest);
   const auto ratio = [&](std::int64_t per_vertex, bool nearest_only) {
     auto passes = test::effect_passes<double>("tethers", rest, pins, "per_vertex", per_vertex);
     return farthest(rest, pins, after_a_step<double>(rest, pins, std::move(passes), 3), nearest_only);
   };
   for (const std::int64_t tethers : {1, 4})
-    CHECK(ratio(tethers, true) <= 1 + 1e-12);  // its own nearest pin: exact
-  CHECK(ratio(1, false) > 1.05);               // the other corner is not asked
+    CHECK(ratio(tethers, true) <= 1 + 1e-12);  // exact for the nearest pin
+  CHECK(ratio(1, false) > 1.05);               // no tether to the other corner
   CHECK(ratio(4, false) < ratio(1, false));
 }
 
-TEST_CASE("a curved rest shape needs the way along the surface", "[effects]") {
-  // Half a tube: across its opening the straight way is 2/π of the cloth's length.
+TEST_CASE("tethers of a curved rest shape need the distance along the surface", "[effects]") {
+  // Half a tube: the straight distance across its opening is 2/π of the cloth's length.
   TriangleMesh mesh = grid(1, 1, 16, 16);
   const double pi = 3.14159265358979;
   for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
@@ -109,11 +111,11 @@ TEST_CASE("a curved rest shape needs the way along the surface", "[effects]") {
     REQUIRE(simulation->step());
     return (simulation->positions() - input.positions).norm();
   };
-  CHECK(flattened("geodesic") < 0.01 * flattened("straight"));  // unrolled is as far as the cloth goes
+  CHECK(flattened("geodesic") < 0.01 * flattened("straight"));  // unrolling stretches nothing
 }
 
 TEST_CASE("tethers keep a heavy sheet from stretching, with any bending model", "[effects]") {
-  const RestMesh rest(delaunay(1, 1, 24, 2));  // no vertex as near to one corner as to the other
+  const RestMesh rest(delaunay(1, 1, 24, 2));  // no vertex is equally near to both corners
   const Pins pins = two_corners(rest);
   for (const BendingKind* model : bending_models()) {
     const auto longest = [&](bool tethered) {
@@ -128,8 +130,8 @@ TEST_CASE("tethers keep a heavy sheet from stretching, with any bending model", 
       return farthest(rest, pins, simulation->positions(), true);
     };
     INFO(model->name);
-    CHECK(longest(true) <=
-          1 + 1e-9);  // strain has the last word before them, gravity after: the pin's own is exact
+    // Tethers come after strain, and gravity acts after them. The tether to the nearest pin is exact.
+    CHECK(longest(true) <= 1 + 1e-9);
     CHECK(longest(false) > 1.02);
   }
 }

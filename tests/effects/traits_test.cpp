@@ -1,4 +1,4 @@
-// Every effect against what it says of itself: whether it does work, and whether it keeps momentum.
+// Every effect has the traits that it declares: whether it does work, and whether it keeps momentum.
 #include "bendlab/bendlab.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/metrics/motion.hpp"
@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// A sheet that nothing holds, or its two corners if the effect needs pins, with that effect alone.
+// A sheet with this effect alone. The sheet is free, or pinned at two corners if the effect needs pins.
 Scene scene_with(const EffectKind& kind, bool moves) {
   Scene scene;
   scene.mesh = grid(1, 1, 6);
@@ -43,10 +43,11 @@ Change change_in(const Scene& scene) {
   return {energy() - energy_before, (momentum() - momentum_before).norm()};
 }
 
-// J: a fifth of what a uniform 0.1 m/s² would give the sheet of 0.2 kg in these steps.
-constexpr double unsaid = 5e-5;
+// The energy, J, that an effect without declared work may add. A uniform 0.1 m/s² would give five times as
+// much to the sheet of 0.2 kg in these steps.
+constexpr double tolerated = 5e-5;
 
-// An effect that does work, and does not say so.
+// An effect that does work but does not declare it.
 struct Liar {
   static const EffectKind kind;
 };
@@ -72,33 +73,33 @@ bool can_stand_alone(const EffectKind& kind) {
 
 }  // namespace
 
-TEST_CASE("effects: one that says nothing of work or an acceleration does no work", "[effects]") {
-  int looked_at = 0;
+TEST_CASE("effects without declared work or acceleration do no work", "[effects]") {
+  int checked = 0;
   for (const EffectKind* kind : effects()) {
     if (!can_stand_alone(*kind)) continue;
     INFO(kind->name);
-    ++looked_at;
+    ++checked;
     const Scene scene = scene_with(*kind, false);
     const Effect& effect = scene.effects.front();
     const bool may_drive = does_work(effect) || kind->acceleration != nullptr || kind->is_obstacle();
     const Change change = change_in(scene);
-    // The perturbed sheet springs back: at most the energy of 1e-3 m of stretch, of which damping takes a
-    // part.
+    // The perturbed sheet springs back. This gives at most the energy of a stretch of 1e-3 m, and damping
+    // reduces it.
     const double of_the_sheet = change_in([&] {
                                   Scene alone = scene;
                                   alone.effects.clear();
                                   return alone;
                                 }())
                                     .energy;
-    if (!may_drive) CHECK(change.energy < std::abs(of_the_sheet) + unsaid);
+    if (!may_drive) CHECK(change.energy < std::abs(of_the_sheet) + tolerated);
   }
-  CHECK(looked_at > 8);
+  CHECK(checked > 8);
   CHECK_FALSE(does_work(Effect(Liar::kind)));
-  // 2.5e-4 J by its force, of which the perturbed sheet loses a part.
-  CHECK(change_in(scene_with(Liar::kind, false)).energy > 2 * unsaid);
+  // Its force adds 2.5e-4 J, and the perturbed sheet loses a part of this.
+  CHECK(change_in(scene_with(Liar::kind, false)).energy > 2 * tolerated);
 }
 
-TEST_CASE("effects: one that says so keeps momentum", "[effects]") {
+TEST_CASE("effects that declare to keep momentum keep it", "[effects]") {
   for (const EffectKind* kind : effects()) {
     if (!can_stand_alone(*kind) || kind->needs_pins || !kind->keeps_momentum || kind->acceleration != nullptr)
       continue;

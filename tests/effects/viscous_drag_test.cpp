@@ -1,4 +1,4 @@
-// Viscous drag against the solutions of v' = -k v and v' = g - k v, k = c / ρ.
+// Viscous drag agrees with the solutions of v' = -k v and v' = g - k v, with k = c / ρ.
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 
@@ -9,18 +9,18 @@ using Catch::Matchers::WithinRel;
 
 constexpr double gravity = 9.81, density = 0.2;  // m/s², kg/m² (of test::sheet and test::state_of)
 
-// The speed at which a free sheet ends up falling, and how far from uniform it is.
+// The terminal speed of a free sheet, m/s. Also checks that all vertices fall at this speed.
 double terminal_speed(double coefficient, double dt) {
   const RestMesh rest(delaunay(1, 1, 6, 1));
   const Pins none = make_pins(rest, {}, 0);
   SimulationInput input = test::sheet(rest, none, "crossover");
   input.settings.dt = dt;
   auto passes = test::passes_of<double>("viscous_drag", rest, none, {{"coefficient", coefficient}});
-  passes.push_back(test::effect_passes<double>("gravity").front());  // any order: damp comes after force
+  passes.push_back(test::effect_passes<double>("gravity").front());  // the stage damp comes after force
   const auto simulation = make_simulation<double>(input, std::move(passes));
   const double relaxation = density / coefficient;
   for (int s = 0; s < 30 * relaxation / dt; ++s)
-    REQUIRE(simulation->step());  // exp(-30) of the start is left
+    REQUIRE(simulation->step());  // until the difference from the terminal speed is exp(-30)
   const Positions velocities = simulation->velocities();
   CHECK(velocities.leftCols<2>().cwiseAbs().maxCoeff() < 1e-9);
   CHECK_THAT(velocities.col(2).minCoeff(), WithinRel(velocities.col(2).maxCoeff(), 1e-9));
@@ -29,19 +29,19 @@ double terminal_speed(double coefficient, double dt) {
 
 }  // namespace
 
-TEST_CASE("viscous drag: a falling sheet ends at ρ g / c", "[effects]") {
+TEST_CASE("viscous drag: the terminal speed of a sheet is ρ g / c", "[effects]") {
   const double coefficient = 0.4, k = coefficient / density;
   for (const double dt : {1.0 / 240, 1.0 / 60}) {
     const double speed = terminal_speed(coefficient, dt);
-    // (v + g dt) exp(-k dt) = v; 1e-9: rounding of (x - x') / dt some 30 m down.
+    // (v + g dt) exp(-k dt) = v. The tolerance is the rounding of (x - x') / dt about 30 m down.
     CHECK_THAT(speed, WithinRel(gravity * dt / std::expm1(k * dt), 1e-9));
-    // ... which is the law but for k dt / 2.
+    // This is the law up to a relative k dt / 2.
     CHECK_THAT(speed, WithinRel(density * gravity / coefficient, 1.01 * k * dt / 2));
   }
-  CHECK_THAT(terminal_speed(0.1, 1.0 / 60), WithinRel(density * gravity / 0.1, 0.01));  // the default's
+  CHECK_THAT(terminal_speed(0.1, 1.0 / 60), WithinRel(density * gravity / 0.1, 0.01));  // the default
 }
 
-TEMPLATE_TEST_CASE("viscous drag is a rate that turns no velocity round", "[effects]", float, double) {
+TEMPLATE_TEST_CASE("viscous drag is a rate and never reverses a velocity", "[effects]", float, double) {
   const RestMesh rest(delaunay(1, 1, 8, 2));
   const Pins pins = make_pins(rest, {3}, 1);
   const State<TestType> start = [&] {
@@ -60,13 +60,13 @@ TEMPLATE_TEST_CASE("viscous drag is a rate that turns no velocity round", "[effe
     CHECK(test::kinetic_energy(once) < test::kinetic_energy(start));
     for (int v = 0; v < rest.vertex_count(); ++v) {
       const auto i = static_cast<std::size_t>(v);
-      if (pins.pinned(v)) {  // a pin moves as it is told
+      if (pins.pinned(v)) {  // drag does not act on pins
         CHECK(once.velocity[i].vector() == start.velocity[i].vector());
         continue;
       }
       const double before = start.velocity[i].x, after = once.velocity[i].x, halved = twice.velocity[i].x;
       const double exact = before * std::exp(-0.7 / density * h);
-      // exp(-x) with x rounded is off by x's rounding.
+      // The rounding of x is the relative error of exp(-x).
       CHECK(std::abs(after - exact) <= rounding * (std::abs(before) + 3.5 * h * std::abs(exact)));
       CHECK(std::abs(halved - after) <= rounding * std::abs(before));
       CHECK(after * before >= 0);
@@ -74,7 +74,7 @@ TEMPLATE_TEST_CASE("viscous drag is a rate that turns no velocity round", "[effe
   }
 }
 
-TEST_CASE("viscous drag of no strength has no pass", "[effects]") {
+TEST_CASE("viscous drag with a coefficient of zero has no pass", "[effects]") {
   const RestMesh rest(grid(1, 1, 2, 2));
   const Pins none = make_pins(rest, {}, 0);
   CHECK(test::passes_of<float>("viscous_drag", rest, none, {{"coefficient", 0.0}}).empty());

@@ -1,4 +1,4 @@
-// Wind against its force law, written here by angles, and against what bounds it.
+// Wind agrees with its force law, written here with angles, and respects its bounds.
 #include <numbers>
 
 #include "bendlab/effects/gusts.hpp"
@@ -18,9 +18,9 @@ Value numbers(const Vector3& v) {
   return std::vector<double>{v.x(), v.y(), v.z()};
 }
 
-// Drag and lift of a flat piece of area A whose normal stands at the angle θ to the flow `wind`, |n| = 1: ½ ρ
-// C_D A cos θ |u|² down the wind, ½ ρ C_L A cos θ sin θ |u|² across it, to the side where n points that has
-// n·wind > 0.
+// Drag and lift of a flat piece of area A. Its unit normal n is at the angle θ to the flow `wind`. Drag is
+// ½ ρ C_D A cos θ |u|² along the wind. Lift is ½ ρ C_L A cos θ sin θ |u|² across the wind, towards the normal
+// that has n·wind > 0.
 struct Law {
   Vector3 drag = Vector3::Zero(), lift = Vector3::Zero();
 
@@ -57,7 +57,7 @@ State<double> crumpled(const RestMesh& rest, double speed) {
   return state;
 }
 
-// Where a free, level sheet's speed of fall ends in air at rest.
+// The terminal speed, m/s, of a free level sheet in air at rest.
 double terminal_speed(bool wind_first, double dt) {
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins none = make_pins(rest, {}, 0);
@@ -66,25 +66,25 @@ double terminal_speed(bool wind_first, double dt) {
   auto passes = test::passes_of<double>("wind", rest, none, {{"velocity", numbers(Vector3::Zero())}});
   passes.insert(wind_first ? passes.end() : passes.begin(), test::effect_passes<double>("gravity").front());
   const auto simulation = make_simulation<double>(input, std::move(passes));
-  for (int s = 0; s < 4 / dt; ++s) REQUIRE(simulation->step());  // 4 s are 25 v/g
+  for (int s = 0; s < 4 / dt; ++s) REQUIRE(simulation->step());  // 4 s are 25 v/g, long enough
   CHECK(simulation->velocities().leftCols<2>().cwiseAbs().maxCoeff() < 1e-9);
   return -simulation->velocities().col(2).mean();
 }
 
 }  // namespace
 
-TEST_CASE("wind: a level sheet ends at its terminal velocity", "[effects]") {
+TEST_CASE("wind: the terminal velocity of a level sheet", "[effects]") {
   const double law = std::sqrt(2 * density * gravity / (air_density * drag_of_plate));  // 1.6 m/s
-  // Listed before gravity wind sees the velocity at the start of the substep: h k v² = h g. 1e-9: rounding of
-  // (x - x') / dt some meters down.
+  // If wind is listed before gravity, it acts on the velocity at the start of the substep: h k v² = h g. The
+  // tolerance is the rounding of (x - x') / dt a few metres down.
   for (const double dt : {1.0 / 60, 1.0 / 240}) {
     CHECK_THAT(terminal_speed(true, dt), WithinRel(law, 1e-9));
-    // Behind it, k (v + h g)² = g: a scene has wind first, wherever it is listed.
+    // If wind is listed after gravity, k (v + h g)² = g. Scenes always put wind first.
     CHECK_THAT(terminal_speed(false, dt), WithinRel(law - gravity * dt, 1e-9));
   }
 }
 
-TEST_CASE("wind: drag along the flow, lift across it, by the law", "[effects]") {
+TEST_CASE("wind: drag along the flow and lift across the flow follow the law", "[effects]") {
   const RestMesh rest = one_triangle();
   const Pins none = make_pins(rest, {}, 0);
   std::mt19937_64 random(3);
@@ -105,17 +105,17 @@ TEST_CASE("wind: drag along the flow, lift across it, by the law", "[effects]") 
       const Vector3 force = (test::weighted_sum(state, state.velocity) - 3 * state.mass[0] * own) / h;
       const Law law(rest.areas()[0], turn * Vector3::UnitZ(), wind - own);
       const Vector3 expected = with_lift ? Vector3(law.drag + law.lift) : law.drag;
-      // 1e-9: rounding of a change by 1e-3 of the velocity, and of sin acos near along and across.
+      // 1e-9: rounding of a change of 1e-3 of the velocity, and of sin(acos) near 0° and 90°.
       CHECK((force - expected).norm() <= 1e-9 * expected.norm());
     }
   }
 }
 
-TEST_CASE("wind: no flow, or flow along the cloth, no force", "[effects]") {
+TEST_CASE("wind: without flow, or with flow along the cloth, there is no force", "[effects]") {
   const RestMesh rest(grid(1, 1, 3, 3));
   const Pins none = make_pins(rest, {}, 0);
   auto passes = test::passes_of<double>("wind", rest, none, {{"velocity", numbers({0.3, -0.2, 0})}});
-  State<double> still = test::state_of<double>(rest, none);  // level: edge-on
+  State<double> still = test::state_of<double>(rest, none);  // the wind blows along the level sheet
   CHECK(test::run(passes, still, 0.01) == 0);
   CHECK(test::kinetic_energy(still) == 0);
   State<double> carried = crumpled(rest, 0);
@@ -124,7 +124,7 @@ TEST_CASE("wind: no flow, or flow along the cloth, no force", "[effects]") {
   CHECK(test::kinetic_energy(carried, {0.3, -0.2, 0}) < 1e-30);  // the mean of three equal numbers is rounded
 }
 
-TEST_CASE("wind: the cloth gets the momentum of all forces", "[effects]") {
+TEST_CASE("wind: the momentum of the cloth changes by the sum of all forces", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 8, 4));
   State<double> state = crumpled(rest, 0.5);
   const Vector3 wind(3, 2, -1);
@@ -140,14 +140,13 @@ TEST_CASE("wind: the cloth gets the momentum of all forces", "[effects]") {
   }
   const Vector3 before = test::weighted_sum(state, state.velocity);
   auto passes = test::passes_of<double>("wind", rest, make_pins(rest, {}, 0), {{"velocity", numbers(wind)}});
-  const double h = 1e-4;  // so short that no triangle's impulse is cut off
+  const double h = 1e-4;  // so short that no impulse reaches its bound
   CHECK(test::run(passes, state, h) == static_cast<std::uint64_t>(rest.triangle_count()));
   const Vector3 gained = test::weighted_sum(state, state.velocity) - before;
   CHECK((gained - h * force).norm() <= 1e-10 * h * sizes);  // rounding: velocities are 10³ times their change
 }
 
-TEST_CASE("wind: the free cloth's energy in the air's frame never rises, however long the step",
-          "[effects]") {
+TEST_CASE("wind: for any step, the energy of free cloth relative to the air never rises", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 8, 4));
   const Pins none = make_pins(rest, {}, 0);
   for (const double lift : {0.0, 1.0, 10.0})
@@ -165,7 +164,7 @@ TEST_CASE("wind: the free cloth's energy in the air's frame never rises, however
       }
 }
 
-TEST_CASE("wind: a triangle's lightest corner bounds its impulse, whichever it is", "[effects]") {
+TEST_CASE("wind: the lightest corner of a triangle bounds the impulse", "[effects]") {
   const RestMesh rest = one_triangle();
   const Vector3 wind(3, 4, 100);
   auto passes = test::passes_of<double>("wind", rest, make_pins(rest, {}, 0), {{"velocity", numbers(wind)}});
@@ -177,13 +176,13 @@ TEST_CASE("wind: a triangle's lightest corner bounds its impulse, whichever it i
     test::run(passes, state, 1.0 / 60);
     INFO("corner " << light);
     CHECK(state.velocity[light].vector().norm() > 0.1 * wind.norm());
-    // Each corner is a free piece in a steady wind: its speed relative to the air does not grow.
+    // Each corner is like a free piece in a steady wind: its speed relative to the air does not grow.
     CHECK((state.velocity[light].vector() - wind).norm() <= (1 + 1e-14) * wind.norm());
     CHECK(test::kinetic_energy(state, wind) <= before);
   }
 }
 
-TEST_CASE("wind: a gust of a hundred times the weight leaves a flag whole", "[effects]") {
+TEST_CASE("wind: a gust of a hundred times the weight does not tear a flag apart", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 10, 4));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   // ½ ρ C_D U² = 100 ρ_s g
@@ -195,13 +194,14 @@ TEST_CASE("wind: a gust of a hundred times the weight leaves a flag whole", "[ef
   const auto simulation = make_simulation<double>(test::sheet(rest, pins, "crossover"), std::move(passes));
   for (int s = 0; s < 300; ++s) {
     REQUIRE(simulation->step());
-    // The pins hold it: no vertex gets faster than a whip of the fastest gust, sqrt(3) * 2.01 deviations.
+    // The flag is pinned. Like the end of a whip, a vertex has at most twice the speed of the fastest gust,
+    // which is sqrt(3) * 2.01 deviations.
     CHECK(simulation->velocities().rowwise().norm().maxCoeff() <
           2 * speed * (1 + 0.5 * 2.01 * std::sqrt(3.0)));
   }
 }
 
-TEST_CASE("gusts: mean, deviation, bound, smoothness", "[effects]") {
+TEST_CASE("gusts have the stated mean, deviation, bound and smoothness", "[effects]") {
   const Gusts gusts{.deviation = 2, .time = 0.25, .seed = 11};
   const int cells = 40000, samples = 8;  // per cell
   Vector3 sum = Vector3::Zero(), squares = Vector3::Zero(), products = Vector3::Zero();
@@ -216,23 +216,24 @@ TEST_CASE("gusts: mean, deviation, bound, smoothness", "[effects]") {
     previous = gust;
   }
   CHECK(largest <= 2.01 * gusts.deviation);
-  CHECK(largest > 1.99 * gusts.deviation);  // 40 000 uniform values come nearer than 1 % to their bound
-  // 3 x² - 2 x³ is nowhere steeper than 3/2, from one bound to the other.
+  CHECK(largest > 1.99 * gusts.deviation);  // the largest of 40 000 uniform values is within 1 % of the bound
+  // From one bound to the other, the slope of 3 x² - 2 x³ is at most 3/2.
   CHECK(steepest <= 1.5 / samples * 2 * 2.01 * gusts.deviation);
   const double count = cells * samples;
-  // A mean of `cells` independent values is off by 1 / sqrt(cells) = 0.5 % of a deviation: four times that.
+  // The mean of `cells` independent values has an error of 1 / sqrt(cells) = 0.5 % of a deviation. The
+  // tolerance is four times that.
   for (int axis = 0; axis < 3; ++axis) {
     CHECK_THAT(sum(axis) / count, WithinAbs(0, 0.02 * gusts.deviation));
     CHECK_THAT(std::sqrt(squares(axis) / count), WithinRel(gusts.deviation, 0.02));
     CHECK_THAT(products(axis) / count, WithinAbs(0, 0.02 * 4));
   }
-  // Where a vertex flew apart the air is asked for at any time.
+  // In a run that diverges, gusts may be evaluated at any time.
   for (const double time : {1e30, std::numeric_limits<double>::quiet_NaN()})
     CHECK_FALSE(gusts.at(time).allFinite());
   CHECK(gusts.at(1e15).allFinite());
 }
 
-TEST_CASE("gusts: the same bits for the same seed, others for another", "[effects]") {
+TEST_CASE("gusts: the same seed gives the same bits, another seed gives other gusts", "[effects]") {
   const RestMesh rest = one_triangle();
   const Pins none = make_pins(rest, {}, 0);
   const auto end = [&](std::int64_t seed) {
@@ -246,7 +247,7 @@ TEST_CASE("gusts: the same bits for the same seed, others for another", "[effect
   CHECK((end(1) - end(2)).norm() > 1e-3 * end(1).norm());
 }
 
-TEST_CASE("gusts travel with the wind where asked to", "[effects]") {
+TEST_CASE("gusts travel with the wind if gusts_travel is set", "[effects]") {
   const RestMesh rest = one_triangle();
   const Pins none = make_pins(rest, {}, 0);
   const Vector3 wind(1, 0, 2);
@@ -260,7 +261,7 @@ TEST_CASE("gusts travel with the wind where asked to", "[effects]") {
   };
   const Vector3 here(0.5, 2, -1), across(2, 5, -1);
   const double later = 0.7;
-  // 1e-10: rounding of the place over the time it has shifted.
+  // 1e-10: rounding of the shifted place.
   CHECK((pushed(true, here + later * wind, 1 + later) - pushed(true, here, 1)).norm() <=
         1e-10 * pushed(true, here, 1).norm());
   CHECK((pushed(true, here + across, 1) - pushed(true, here, 1)).norm() <= 1e-10);  // across·wind = 0

@@ -1,4 +1,4 @@
-// Advice on settings: its parts on made-up numbers, and what it promises on small scenes.
+// Advice on settings: its parts with made-up numbers, and its promises on small scenes.
 #include <fmt/ranges.h>
 
 #include <chrono>
@@ -21,7 +21,8 @@ using nlohmann::json;
 
 namespace {
 
-// With more strain than its reference has, and its longest triangle over that of the reference.
+// `strain` is the strain beyond the strain of the reference; `stretch` is the longest triangle over the
+// longest triangle of the reference.
 Trial trial(const std::string& model, double error, double cpu_s, double strain = 0, double stretch = 1) {
   return {
       .setting = {model, "pbd"}, .error = error, .cpu_s = cpu_s, .more_strain = strain, .stretch = stretch};
@@ -31,22 +32,22 @@ constexpr double not_compared = std::numeric_limits<double>::infinity();
 
 std::string models_of(const std::vector<Trial>& trials) {
   std::string models;
-  for (const Trial& each : trials) models += each.setting.model;
+  for (const Trial& candidate : trials) models += candidate.setting.model;
   return models;
 }
 
-// What is chosen, and whether it meets the demand: "a", "nearest b".
+// The chosen model, and whether it meets the demand: "a", or else "nearest b".
 std::string choice_text(const std::vector<Trial>& trials, const Demand& demand) {
   const Trial choice = *choice_of(trials, demand);
   return (meets(choice, demand) ? "" : "nearest ") + choice.setting.model;
 }
 
-// A machine that was made up: error and time of every setting are known. Models converge with the substeps,
-// each to a cloth of its own: h is nearest to the stated one, a is the cheapest, and what is dearer is
-// nearer.
+// A made-up machine on which the error and time of every setting are known. With more substeps every model
+// converges to a different cloth. Model h is nearest to the stated cloth, a is the cheapest, and dearer
+// models are nearer.
 struct Imaginary {
-  std::map<std::string, double> bias, price;  // error that stays; s per substep
-  std::vector<std::size_t> rounds{};          // how many settings were run in each
+  std::map<std::string, double> bias, price;  // remaining error; s per substep
+  std::vector<std::size_t> rounds{};          // the number of settings run in each round
 
   static Imaginary with_eight_models() {
     Imaginary machine;
@@ -63,7 +64,7 @@ struct Imaginary {
             .cpu_s = price.at(s.model) * s.substeps};
   }
 
-  // All models, from these substeps.
+  // All models, with these numbers of substeps to start from.
   std::vector<SettingKind> kinds(const std::vector<int>& substeps) const {
     std::vector<SettingKind> all;
     for (const auto& [model, unused] : bias) {
@@ -73,7 +74,7 @@ struct Imaginary {
     return all;
   }
 
-  // What the search found, of at most 512 substeps.
+  // The trials of the search, with at most 512 substeps.
   std::vector<Trial> search(const Demand& demand, const std::vector<int>& substeps) {
     const auto expected_cpu_s = [this](const Setting& s) { return trial_of(s).cpu_s; };
     Search search(demand, 512, expected_cpu_s, [this](const std::vector<Setting>& settings) {
@@ -113,7 +114,7 @@ const char* curtain = R"({
 struct Scenes : Workplace {
   Scenes() { write("strip.json", cantilever), write("curtain.json", curtain); }
 
-  // What the program prints with this exit code.
+  // The output of the program, which must exit with `code`.
   std::string answer(const std::string& arguments, int code = 0) {
     INFO(arguments);
     CHECK(run("advise " + arguments) == code);
@@ -128,10 +129,10 @@ struct Scenes : Workplace {
 
   json written() const { return json::parse(bendlab::test::read(folder / "best.json")); }
 
-  // The run of the written config has the advised setting's error, to the bit.
+  // Runs the written config, and checks that its error equals the error of the advised setting to the bit.
   json kept_promise(const std::string& arguments) {
-    const json told = advice(arguments + " --write best.json"), best = told.at("advice");
-    write("accuracy", told.at("accuracy").dump());
+    const json result = advice(arguments + " --write best.json"), best = result.at("advice");
+    write("accuracy", result.at("accuracy").dump());
     REQUIRE(run("run best.json --json --set /accuracy=\"$(cat accuracy)\"") == 0);
     CHECK(out_lines().at(0).at("summary").at("error_physical_rms") == best.at("error"));
     CHECK_FALSE(written().contains("accuracy"));
@@ -143,7 +144,7 @@ struct Scenes : Workplace {
 
 }  // namespace
 
-TEST_CASE("advise: demands are shares and times with their units", "[advise]") {
+TEST_CASE("advise: demands are errors as shares or times with units", "[advise]") {
   CHECK_THAT(parse_error("5%"), WithinRel(0.05, 1e-15));
   CHECK_THAT(parse_error("0.05"), WithinRel(0.05, 1e-15));
   CHECK_THAT(parse_error("2.5 %"), WithinRel(0.025, 1e-15));
@@ -160,7 +161,9 @@ TEST_CASE("advise: demands are shares and times with their units", "[advise]") {
     CHECK_THROWS_WITH(parse_duration(wrong), ContainsSubstring("2ms or 0.002s"));
 }
 
-TEST_CASE("advise: the front has what nothing beats in both, and the choice is on it", "[advise]") {
+TEST_CASE(
+    "advise: the front has the settings that none beats in both error and time, and the choice is on it",
+    "[advise]") {
   const std::vector<Trial> trials = {trial("a", 0.1, 3),  trial("b", 0.2, 1), trial("c", 0.2, 2),
                                      trial("d", 0.05, 9), trial("e", 0.1, 3), trial("f", 0.06, 9)};
   CHECK(models_of(front_of(trials)) == "bad");
@@ -177,7 +180,9 @@ TEST_CASE("advise: the front has what nothing beats in both, and the choice is o
   CHECK(choice_text(trials, {.cpu_s = 0.5}) == "nearest b");
 }
 
-TEST_CASE("advise: what is fit, and by how much another is not", "[advise]") {
+TEST_CASE(
+    "advise: a setting is fit or unfit by its error, strain and stretch, and unfit ones count by degree",
+    "[advise]") {
   CHECK(unfit(trial("a", 0.2, 1, 0.1, 1.5)).empty());
   CHECK(unfit(trial("a", 0.21, 1)) == "error");
   CHECK(unfit(trial("a", not_compared, 1)) == "error");
@@ -186,11 +191,11 @@ TEST_CASE("advise: what is fit, and by how much another is not", "[advise]") {
   CHECK(unfit({.error = 0.01, .implausible = true}) == "implausible");
   CHECK(unfit(trial("a", std::nan(""), 1)) == "error");
   CHECK(unfit(trial("a", 0.01, 1, std::nan(""))) == "strain");
-  CHECK(unfit(trial("a", 1, 1, 1, 9)) == "strain");  // the first of several
+  CHECK(unfit(trial("a", 1, 1, 1, 9)) == "strain");  // the first of several reasons
 
   CHECK(judged_error(trial("a", 0.1, 1)) == 0.1);
   CHECK_THAT(judged_error(trial("a", 0.01, 1, 0.3)),
-             WithinRel(0.6, 1e-12));  // 3 times the strain that is fit
+             WithinRel(0.6, 1e-12));  // 3 times the largest fit strain
   CHECK_THAT(judged_error(trial("a", 1.89, 1, 0.2)), WithinRel(1.89, 1e-12));
   CHECK_THAT(judged_error(trial("a", not_compared, 1, 0.3, 1.5)), WithinRel(0.6, 1e-12));
   CHECK_THAT(judged_error({.implausible = true}), WithinRel(0.2, 1e-12));
@@ -201,8 +206,8 @@ TEST_CASE("advise: what is fit, and by how much another is not", "[advise]") {
   CHECK_THAT(score(trial("a", 0.1, 1), time), WithinRel(0.1, 1e-12));
 }
 
-TEST_CASE("advise: nothing unfit is chosen, or hides what is fit", "[advise]") {
-  // a to d are as fast and as accurate as one could wish, and ruins.
+TEST_CASE("advise: an unfit setting is not chosen and does not hide a fit setting", "[advise]") {
+  // a to d are fast or accurate, but their poses are ruined.
   const std::vector<Trial> trials = {trial("a", 1.89, 1, 30000),  trial("b", 0.01, 1, 0.5),
                                      trial("c", 0.02, 2, 0, 2.6), trial("d", not_compared, 2, 0.3),
                                      trial("e", 0.15, 5),         trial("f", 0.04, 9),
@@ -212,16 +217,16 @@ TEST_CASE("advise: nothing unfit is chosen, or hides what is fit", "[advise]") {
   CHECK(choice_text(trials, {.error = 0.9}) == "e");
   CHECK(choice_text(trials, {.cpu_s = 20}) == "f");
   CHECK(choice_text(trials, {.error = 0.02}) == "nearest f");
-  CHECK(choice_text(trials, {.cpu_s = 4}) == "nearest e");  // four are that fast
+  CHECK(choice_text(trials, {.cpu_s = 4}) == "nearest e");  // only four ruined settings are that fast
 
   const std::vector<Trial> ruins(trials.begin(), trials.begin() + 4);
   CHECK(front_of(ruins).empty());
   CHECK(choice_text(ruins, {.error = 0.99}) == "nearest d");
-  CHECK(choice_text(ruins, {.cpu_s = 1.5}) == "nearest b");  // of those within the time
-  CHECK(choice_text(ruins, {.cpu_s = 0.5}) == "nearest d");  // none is
+  CHECK(choice_text(ruins, {.cpu_s = 1.5}) == "nearest b");  // the best within the time
+  CHECK(choice_text(ruins, {.cpu_s = 0.5}) == "nearest d");  // no setting is within the time
 }
 
-TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
+TEST_CASE("advise: if nothing is advised, the reasons are stated", "[advise]") {
   struct Case {
     std::vector<Trial> trials;
     Demand demand;
@@ -237,29 +242,28 @@ TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
       {{trial("a", 1.89, 1, 30000), trial("b", 0.01, 1, 0.5), trial("c", 0.3, 3)},
        {.error = 0.05},
        false,
-       "Of 3 settings run, 2 stretched the cloth by more than 10 % (rms; the least: 50 %); 1 had more than "
-       "20 % "
-       "of error (the least: 30 %)."},
+       "Of 3 settings tried, 2 stretched the cloth by more than 10 % (rms; the smallest: 50 %); 1 had more "
+       "than 20 % of error (the smallest: 30 %)."},
       {slow,
        {.cpu_s = 2},
        true,
-       "Nothing fit was found within that time. Of 1 setting that fast, 1 stretched a "
-       "triangle to more than 1.5 times its length (the least: 2.5)."},
+       "No fit setting was found within that time. Of 1 setting that fast, 1 stretched a "
+       "triangle to more than 1.5 times its length (the smallest: 2.5)."},
       {slow, {.cpu_s = 0.5}, true, "Nothing is that fast: the fastest setting takes 1e+03 ms."},
-      {good, {.cpu_s = 2}, false, "The reference itself is known to 68500 % only, so that", 685},
-      {good, {.error = 0.05}, true, "The reference itself is known to 10 % only: cloth", 0.1},
+      {good, {.cpu_s = 2}, false, "The reference itself has an error of 68500 %, so", 685},
+      {good, {.error = 0.05}, true, "The reference itself has an error of 10 %: cloth", 0.1},
       {good, {.error = 0.05}, false, "The reference itself is stretched by 3000 %", 0, 30},
       {alike, {.error = 0.05}, false, "not come to rest"},
       {{}, {.error = 0.05}, false, "No setting gave an error."}};
-  for (const Case& each : cases) {
+  for (const Case& example : cases) {
     Advice advice;
-    advice.trials = each.trials, advice.front = front_of(each.trials);
-    advice.reference.gap = each.gap, advice.reference.strain = each.strain;
-    CHECK(advice.anything_fit() == each.anything_fit);
-    const AdviceOptions options{.demand = each.demand, .time_limit_s = 40};
+    advice.trials = example.trials, advice.front = front_of(example.trials);
+    advice.reference.gap = example.gap, advice.reference.strain = example.strain;
+    CHECK(advice.anything_fit() == example.anything_fit);
+    const AdviceOptions options{.demand = example.demand, .time_limit_s = 40};
     std::vector<std::string> why = why_none(advice, options);
     CHECK_THAT(fmt::format("{}", fmt::join(why, " ")),
-               ContainsSubstring(each.text) && !ContainsSubstring("limit"));
+               ContainsSubstring(example.text) && !ContainsSubstring("limit"));
     if (!advice.reference.tells()) continue;
     advice.not_tried = {{"d", "pbd"}, {"e", "pbd"}};
     CHECK_THAT(why_none(advice, options).back(),
@@ -269,11 +273,11 @@ TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
   }
 }
 
-TEST_CASE("advise: the search finds about the best of all settings in a few runs", "[advise]") {
+TEST_CASE("advise: the search finds nearly the best of all settings in a few runs", "[advise]") {
   for (const Demand& demand : {Demand{.error = 0.05}, Demand{.error = 0.02}, Demand{.error = 0.006},
                                Demand{.cpu_s = 0.0015}, Demand{.cpu_s = 0.006}, Demand{.cpu_s = 0.03}}) {
     Imaginary machine = Imaginary::with_eight_models();
-    const std::vector<Trial> found = machine.search(demand, {4, 16, 64, 256});
+    const std::vector<Trial> trials = machine.search(demand, {4, 16, 64, 256});
     std::vector<Trial> all;
     for (const SettingKind& kind : machine.kinds({}))
       for (int substeps = 1; substeps <= 512; ++substeps) {
@@ -281,17 +285,17 @@ TEST_CASE("advise: the search finds about the best of all settings in a few runs
         all.back().setting.substeps = substeps;
         all.back() = machine.trial_of(all.back().setting);
       }
-    const Trial choice = *choice_of(found, demand), best = *choice_of(all, demand);
-    INFO(found.size() << " runs; " << setting_text(choice.setting) << " for " << setting_text(best.setting));
+    const Trial choice = *choice_of(trials, demand), best = *choice_of(all, demand);
+    INFO(trials.size() << " runs; " << setting_text(choice.setting) << " for " << setting_text(best.setting));
     REQUIRE(meets(choice, demand));
-    // The last two runs of a kind differ by less than 15 %, and a step of halving may lose the best model to
-    // one that is as good now.
+    // The last two runs of a kind differ by less than 15 %. Halving may drop the best model in favour of a
+    // model that is equally good so far.
     CHECK(score(choice, demand) < 1.3 * score(best, demand));
-    CHECK(found.size() < 45);  // of 8 × 512
+    CHECK(trials.size() < 45);  // of 8 × 512 settings
   }
 }
 
-TEST_CASE("advise: half of the kinds go on each time, until three are left", "[advise]") {
+TEST_CASE("advise: every round keeps half of the kinds, until three are left", "[advise]") {
   Imaginary machine = Imaginary::with_eight_models();
   machine.search({.cpu_s = 0.03}, {1});
   const std::vector<std::size_t>& rounds = machine.rounds;
@@ -301,38 +305,37 @@ TEST_CASE("advise: half of the kinds go on each time, until three are left", "[a
   CHECK(rounds[2] <= 3);
 }
 
-TEST_CASE("advise: where a kind starts, and that it is considered once", "[advise]") {
+TEST_CASE("advise: a kind starts with suitable work and is considered only once", "[advise]") {
   const auto expected_cpu_s = [](const Setting& setting) { return 1e-3 * setting.substeps; };
   std::vector<Setting> asked;
   const auto run = [&](const std::vector<Setting>& settings) {
     asked.insert(asked.end(), settings.begin(), settings.end());
-    return std::vector<Trial>();  // none could be run
+    return std::vector<Trial>();  // no setting could be run
   };
   const SettingKind kind{{"a", "pbd"}, {{64, 1}, {1, 1}, {4, 1}, {16, 1}}};
   SettingKind multilevel = kind, coarse = kind;
   multilevel.setting.solver = R"({"levels":12})", coarse.setting.cells = 12;
   Search by_error({.error = 0.05}, 512, expected_cpu_s, run);
   CHECK_FALSE(by_error.run({kind, kind}));
-  CHECK(asked == std::vector<Setting>{{"a", "pbd", "{}", 16}});  // the middle of its works
+  CHECK(asked == std::vector<Setting>{{"a", "pbd", "{}", 16}});  // the middle of its amounts of work
   CHECK_FALSE(by_error.run({kind}));
   CHECK(asked.size() == 1);
   by_error.run({multilevel, coarse});
   CHECK(asked.size() == 3);
   Search by_time({.cpu_s = 0.005}, 512, expected_cpu_s, run);
   by_time.run({kind, {{"b", "pbd"}, {{64, 1}}}});
-  CHECK(asked[3] == Setting{"a", "pbd", "{}", 4});  // the most that is expected to be within the time
+  CHECK(asked[3] == Setting{"a", "pbd", "{}", 4});  // the most work expected within the time
   CHECK(asked[4] == Setting{"b", "pbd", "{}", 64});
 }
 
-TEST_CASE("advise: nothing with more work than the limits is run, and nothing that no longer helps",
-          "[advise]") {
+TEST_CASE("advise: settings beyond the limits of work, or with no further gain, are not run", "[advise]") {
   Imaginary machine{.bias = {{"a", 0.1}}, .price = {{"a", 1e-4}}};
-  const std::vector<Trial> found = machine.search({.error = 0.01}, {8});
-  for (const Trial& each : found) CHECK(each.setting.substeps <= 512);
-  CHECK(found.size() <= 4);  // 0.225, 0.131, 0.108, 0.102: the last hardly better
+  const std::vector<Trial> trials = machine.search({.error = 0.01}, {8});
+  for (const Trial& candidate : trials) CHECK(candidate.setting.substeps <= 512);
+  CHECK(trials.size() <= 4);  // 0.225, 0.131, 0.108, 0.102: hardly better in the end
 }
 
-TEST_CASE("advise: every kind of the measured fronts is known to the program", "[advise]") {
+TEST_CASE("advise: the program knows every kind of setting of the measured fronts", "[advise]") {
   REQUIRE(measured_fronts().size() > 10);
   for (const SettingKind& kind : measured_fronts()) {
     json settings = json::parse(cantilever);
@@ -347,87 +350,89 @@ TEST_CASE("advise: every kind of the measured fronts is known to the program", "
   }
 }
 
-TEST_CASE("advise: its advice is what a run of it gives", "[advise]") {
+TEST_CASE("advise: a run with the advised setting has the promised error", "[advise]") {
   Scenes place;
   place.kept_promise("strip.json --error 5%");
   CHECK(place.written().at("expect").size() == 1);
   place.kept_promise("strip.json --budget 0.1ms");
-  // Another demand uses the runs that are there.
+  // Advice for another demand uses the existing runs.
   const json again = place.advice("strip.json --error 8%");
   CHECK(again.at("computed_runs").get<std::size_t>() * 2 < again.at("points").size());
 
   CHECK(place.kept_promise("strip.json --error 5% --methods quasi_newton").at("method") == "quasi_newton");
   CHECK(place.kept_promise("strip.json --error 1% --methods newton --models dihedral").at("method") ==
         "newton");
-  // A config that has another method goes on from its own, and may be advised to leave it.
+  // If the config has another method, the search starts from this method, but may advise another one.
   const std::string implicit = "strip.json --set /solver/method=quasi_newton --set /solver/membrane=auto ";
   CHECK(place.kept_promise(implicit + "--error 5% --methods pbd --models isometric").at("method") == "pbd");
 
   place.kept_promise("curtain.json --error 6%");
-  // The advised setting is a row of the table, whatever else is left out of it.
+  // The advised setting is always a row of the table.
   const std::string text = place.answer("curtain.json --error 6%");
   const std::size_t end = text.find(" ms of CPU"), begin = text.rfind(' ', end - 1);
   CHECK_THAT(text, ContainsSubstring("  " + text.substr(begin + 1, end - begin - 1) + "\n"));
 }
 
-TEST_CASE("advise: fewer cells are offered, compared with the config's own mesh", "[advise]") {
+TEST_CASE("advise: coarser meshes are offered, and compared with the mesh of the config", "[advise]") {
   Scenes place;
   const std::string fine =
       "curtain.json --set /mesh/cells=24 --methods pbd --models dihedral,none --error 15%";
-  // A fourth of the vertices takes a fourth of the time, and the pose of a curtain needs few cells.
+  // A quarter of the vertices takes a quarter of the time, and the pose of a curtain needs few cells.
   CHECK(place.kept_promise(fine).at("cells").get<int>() <= 12);
   CHECK(place.written().at("mesh").at("cells").get<int>() <= 12);
-  // A vertex that is named by its index is another one on another mesh.
+  // On another mesh an index means another vertex, so coarser meshes are not offered.
   const json indexed = place.advice(fine + R"( --set '/pins={"indices":[600,624]}')");
   CHECK(indexed.at("advice").at("cells") == nullptr);
 }
 
-TEST_CASE("advise: the time limit holds, with the reference in it", "[advise]") {
+TEST_CASE("advise: the time limit includes the reference and is kept", "[advise]") {
   Scenes place;
   const auto seconds_of = [&](const std::string& arguments, const std::string& text) {
     const auto begin = std::chrono::steady_clock::now();
     CHECK_THAT(place.answer("curtain.json " + arguments, 1), ContainsSubstring(text));
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  constexpr double to_end = 5;  // s: to stop runs, which finish their step, and to read what there is
-  // Hundreds of settings, of seconds each: the best so far is answered, with what was not tried.
+  constexpr double to_end = 5;  // s, to stop runs, which finish their step, and to read the results
+  // Hundreds of settings that take seconds: the answer is the best setting so far, and names settings not
+  // tried.
   CHECK(seconds_of("--set /mesh/cells=40 --set /duration=8 --error 0.05% --time-limit 8s",
-                   "not tried, because --time-limit (8 s) was over") < 8 + to_end);
-  // A reference that cannot be had in that time is not begun.
+                   "not tried, because the time of --time-limit (8 s) was over") < 8 + to_end);
+  // A reference that would take longer is not started.
   CHECK(seconds_of("--what motion --set /mesh/generator=tube --set /mesh/cells=100 --set /duration=60 "
                    "--error 5% --time-limit 2s",
                    "the reference alone is expected to take") < 2 + to_end);
   CHECK_THAT(place.err(), ContainsSubstring("Give --time-limit"));
 }
 
-TEST_CASE("advise: the config's own reference is the same for every setting", "[advise]") {
+TEST_CASE("advise: all settings are compared with the same reference of the config", "[advise]") {
   Scenes place;
-  // With 64 substeps two readings of its stiffness differ by 3.2 %, which no reference may.
-  const json told = place.advice(
+  // With 64 substeps, two measurements of the reference's stiffness would differ by 3.2 %, too much for a
+  // reference.
+  const json result = place.advice(
       "strip.json --error 5% --models dihedral,none "
       R"(--set '/accuracy={"physical":["/solver/substeps=256"]}')");
-  CHECK(told.at("error_of") == "own");
+  CHECK(result.at("error_of") == "own");
   int references = 0;
   for (const std::filesystem::path& file : place.run_files(".vtkhdf"))
     references += file.string().find("references") != std::string::npos;
   CHECK(references == 1);
 }
 
-TEST_CASE("advise: a motion is compared over time with its own refinement", "[advise]") {
+TEST_CASE("advise: a motion is compared over time with its refinement", "[advise]") {
   Scenes place;
-  const json told =
+  const json result =
       place.advice("strip.json --error 10% --what motion --models dihedral --set /duration=0.3");
-  CHECK(told.at("error_of") == "motion");
-  CHECK(told.at("accuracy").at("over_time") == true);
-  CHECK(told.at("reference_gap").get<double>() < 0.1);
-  CHECK(told.at("advice").at("model") == "dihedral");
-  // What swings freely, and what nothing holds, has a motion only.
+  CHECK(result.at("error_of") == "motion");
+  CHECK(result.at("accuracy").at("over_time") == true);
+  CHECK(result.at("reference_gap").get<double>() < 0.1);
+  CHECK(result.at("advice").at("model") == "dihedral");
+  // Cloth without damping or without pins has no rest pose, only a motion.
   const std::string brief = "strip.json --error 50% --models dihedral --set /duration=0.1 ";
   CHECK(place.advice(brief + R"(--set '/effects=[{"type":"gravity"}]')").at("error_of") == "motion");
   CHECK(place.advice(brief + "--set /pins/vertices=[]").at("error_of") == "motion");
 }
 
-TEST_CASE("advise: what cannot be advised on is refused with what to write", "[advise]") {
+TEST_CASE("advise: impossible requests are refused with a hint what to write", "[advise]") {
   Scenes place;
   struct Case {
     std::string arguments;
@@ -437,7 +442,7 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
   std::filesystem::create_symlink("elsewhere.json", place.folder / "link.json");
   const std::vector<Case> cases = {
       {"", 2, "--error 5%"},
-      {"--error 5% --budget 2ms", 2, "one of --error"},
+      {"--error 5% --budget 2ms", 2, "either --error"},
       {"--error 5", 2, "5% or 0.05"},
       {"--budget 2", 2, "2ms or 0.002s"},
       {"--error 5% --models dihedrall", 2, "did you mean 'dihedral'"},
@@ -455,9 +460,10 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
       {"--error 5% --write nowhere/best.json", 2, "does not exist"},
       {"--error 5% --write .", 2, "is a folder"},
       {"--error 5% --write link.json", 2, "is a link"},
-      {"--error 5% --write /dev/null", 2, "is no file"}};
-  for (const Case& each : cases)
-    CHECK_THAT(place.answer("strip.json " + each.arguments, each.code), ContainsSubstring(each.text));
+      {"--error 5% --write /dev/null", 2, "is not a regular file"}};
+  for (const Case& example : cases)
+    CHECK_THAT(place.answer("strip.json " + example.arguments, example.code),
+               ContainsSubstring(example.text));
   CHECK_THAT(place.answer("nothing.json --error 5%", 3), ContainsSubstring("cannot be read"));
   CHECK(place.run_files(".vtkhdf").empty());
 
@@ -467,33 +473,36 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
              ContainsSubstring("dihedral with quasi_newton: /effects/2 strain_limiting acts between"));
 }
 
-TEST_CASE("advise: if nothing meets the demand, that is said, and what comes nearest", "[advise]") {
+TEST_CASE("advise: if no setting meets the demand, the answer says so and names the nearest setting",
+          "[advise]") {
   Scenes place;
-  // What is fit, and not as fast as demanded, may be used all the same.
+  // A fit setting that is too slow may be used nevertheless.
   CHECK_THAT(place.answer("strip.json --budget 1us --models dihedral", 1),
              ContainsSubstring("no setting meets 0.001 ms") && ContainsSubstring("Nothing is that fast") &&
-                 ContainsSubstring("to use the nearest:"));
-  // A strip without bending stiffness hangs straight down: with the stated one it would stand out. So nothing
-  // is recommended, whatever was asked for.
+                 ContainsSubstring("to use the nearest setting:"));
+  // A strip without bending stiffness hangs straight down, but with the stated stiffness it would stick out.
+  // So no setting is recommended, for any demand.
   const std::string limp =
       "strip.json --models none --set /bending/flexural_rigidity=0.01 --set /duration=0.7 ";
   for (const std::string demand : {"--error 99%", "--budget 1s"}) {
     const std::string text = place.answer(limp + "--write best.json " + demand, 1);
     CHECK_THAT(text, !ContainsSubstring("to use") && !ContainsSubstring("--set"));
-    CHECK_THAT(text, ContainsSubstring("nothing to advise") && ContainsSubstring("nearest is none") &&
-                         ContainsSubstring("which is not to be used") &&
+    CHECK_THAT(text, ContainsSubstring("nothing to advise") &&
+                         ContainsSubstring("the nearest setting is none") &&
+                         ContainsSubstring("which should not be used") &&
                          ContainsSubstring("had more than 20 % of error") && ContainsSubstring("unfit: ") &&
-                         ContainsSubstring("no setting is fit to be advised"));
+                         ContainsSubstring("no setting is fit to be used"));
     CHECK_FALSE(std::filesystem::exists(place.folder / "best.json"));
-    const json told = place.advice(limp + demand, 1);
-    CHECK(told.at("advice").is_null());
-    CHECK(told.at("anything_fit") == false);
-    CHECK(told.at("set").empty());
-    CHECK(told.at("front").empty());
-    CHECK(told.at("nearest").at("unfit") == "error");
-    CHECK(told.at("why_none").at(0).get<std::string>().starts_with("Of "));
+    const json result = place.advice(limp + demand, 1);
+    CHECK(result.at("advice").is_null());
+    CHECK(result.at("anything_fit") == false);
+    CHECK(result.at("set").empty());
+    CHECK(result.at("front").empty());
+    CHECK(result.at("nearest").at("unfit") == "error");
+    CHECK(result.at("why_none").at(0).get<std::string>().starts_with("Of "));
   }
-  // One iteration takes long to get to where the strip hangs, and passes where a stiff strip is at rest.
+  // With one iteration the strip needs long to reach its rest pose. On its way it passes the rest pose of a
+  // stiff strip.
   CHECK_THAT(place.answer(limp + "--methods quasi_newton --budget 0.01ms", 1),
              ContainsSubstring("whose pose does not stay: the last is none, quasi_newton"));
   CHECK_THAT(place.answer("strip.json --error 20% --models none --set /duration=0.1", 1),
@@ -502,12 +511,14 @@ TEST_CASE("advise: if nothing meets the demand, that is said, and what comes nea
 
 TEST_CASE("advise: the warnings of the advised setting's run are printed", "[advise]") {
   Scenes place;
-  // As long as the curtain of a theatre.
+  // The cloth is as long as the curtain of a theatre.
   place.run("advise strip.json --error 90% --methods pbd --models dihedral --set /mesh/scale=130");
-  CHECK_THAT(place.out(), ContainsSubstring("Its run warns (units): the cloth is 3"));
+  CHECK_THAT(place.out(),
+             ContainsSubstring("The run with this setting has the warning units: the cloth is 3"));
 }
 
-TEST_CASE("advise: a config written elsewhere finds its files, those of other meshes too", "[advise]") {
+TEST_CASE("advise: a config written to another folder finds its files, including those of /initial/after",
+          "[advise]") {
   Workplace place;
   std::filesystem::create_directories(place.folder / "other");
   for (const char* file : {"sheet.obj", "coarse.obj"})

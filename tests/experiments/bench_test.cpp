@@ -1,4 +1,4 @@
-// `bendlab bench`: that it measures, and that programs can read what it prints.
+// `bendlab bench` measures, and programs can read its output.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,7 +46,7 @@ TEST_CASE("bench prints a context and a row per benchmark as JSON", "[bench]") {
     CHECK(json.at("context").contains(key));
   }
   const auto& rows = json.at("rows");
-  REQUIRE(rows.size() == 4);  // the two, and before them their oracles
+  REQUIRE(rows.size() == 4);  // the two kernels, and before them their oracles
   for (const auto& row : rows) {
     CHECK(row.at("scalar") == "float");
     CHECK(row.at("threads") == 1);
@@ -57,12 +57,13 @@ TEST_CASE("bench prints a context and a row per benchmark as JSON", "[bench]") {
     CHECK(row.at("roofline_fraction") > 0);
   }
   CHECK(rows[2].at("name") == "strain/32");
-  CHECK(rows[2].at("constraints") == 2 * 32 * 32);  // no triangle has all its corners on a pinned side
+  CHECK(rows[2].at("constraints") == 2 * 32 * 32);           // no triangle has three corners on a pinned side
   CHECK(rows[3].at("constraints") == 3 * 32 * 32 - 2 * 32);  // interior edges
   CHECK(rows[0].at("ratio_to_oracle").is_null());
   const double ratio =
       rows[0].at("ns_per_constraint").get<double>() / rows[2].at("ns_per_constraint").get<double>();
-  CHECK_THAT(rows[2].at("ratio_to_oracle").get<double>(), WithinRel(ratio, 1e-12));  // one division, rounded
+  CHECK_THAT(rows[2].at("ratio_to_oracle").get<double>(),
+             WithinRel(ratio, 1e-12));  // the rounding of a division
 }
 
 TEST_CASE("bench measures set-up, recording, sweeps and convergence", "[bench]") {
@@ -77,16 +78,16 @@ TEST_CASE("bench measures set-up, recording, sweeps and convergence", "[bench]")
   CHECK(rows[3].at("colour_over_mesh") > 0);
 }
 
-TEST_CASE("bench measures the solver methods, and what quasi_newton consists of", "[bench]") {
+TEST_CASE("bench measures the solver methods and the parts of quasi_newton", "[bench]") {
   const auto rows = rows_of("^(method|gradient|solve)");
   const auto row = [&](const std::string& name, const std::string& scalar, int threads = 1) {
     INFO(name << " " << scalar << " " << threads);
-    const auto found = std::ranges::find_if(rows, [&](const auto& each) {
-      return each.at("name") == name && each.at("scalar") == scalar && each.at("threads") == threads;
+    const auto match = std::ranges::find_if(rows, [&](const auto& entry) {
+      return entry.at("name") == name && entry.at("scalar") == scalar && entry.at("threads") == threads;
     });
-    REQUIRE(found != rows.end());
-    CHECK(found->at("ns_per_constraint") > 0);
-    return *found;
+    REQUIRE(match != rows.end());
+    CHECK(match->at("ns_per_constraint") > 0);
+    return *match;
   };
   for (const char* scalar : {"float", "double"}) {
     for (const char* method : {"method/pbd/32", "method/quasi_newton/32"}) {
@@ -97,7 +98,7 @@ TEST_CASE("bench measures the solver methods, and what quasi_newton consists of"
       CHECK(row(part, scalar).at("ratio_to_oracle") > 0);
       CHECK(row(part, scalar).at("roofline_fraction") > 0);
     }
-    // The gradient that is timed is the oracle's, to the rounding of float over a stiff membrane.
+    // The timed gradient agrees with the oracle, up to the rounding of float for a stiff membrane.
     CHECK_THAT(row("gradient/32", scalar).at("force_N").get<double>(),
                WithinRel(row("gradient_oracle/32", "double").at("force_N").get<double>(), 0.01));
   }
@@ -106,7 +107,7 @@ TEST_CASE("bench measures the solver methods, and what quasi_newton consists of"
   CHECK(row("method/quasi_newton/32", "float").at("roofline_fraction") > 0);
 }
 
-TEST_CASE("the least time of a solve counts every entry twice", "[bench]") {
+TEST_CASE("the lower bound for the time of a solve counts every entry twice", "[bench]") {
   constexpr std::size_t entries = std::size_t{1} << 20;
   CHECK(solve_roofline_seconds(entries, 4) >= 12.0 * entries / peak_flops(4));
   CHECK(solve_roofline_seconds(entries, 8) >= 16.0 * entries / triad_bandwidth(8 * entries));
@@ -118,12 +119,12 @@ TEST_CASE("bench prints a table with the spread beside the median", "[bench]") {
     CHECK_THAT(table, ContainsSubstring(text));
 }
 
-TEST_CASE("a filter that chooses nothing is an error", "[bench]") {
+TEST_CASE("a filter that matches no benchmark is an error", "[bench]") {
   CHECK_THROWS_AS(bench_cases({.filter = "no such benchmark"}), UsageError);
   CHECK_THROWS_AS(bench_cases({.filter = "("}), UsageError);
 }
 
-TEST_CASE("median and range of a few values", "[bench]") {
+TEST_CASE("median and range of a few values are right", "[bench]") {
   const Spread odd = spread_of({5, 1, 3}), even = spread_of({4, 1, 3, 2});
   CHECK(odd.median == 3);
   CHECK(odd.lowest == 1);
@@ -132,10 +133,10 @@ TEST_CASE("median and range of a few values", "[bench]") {
   CHECK(std::isnan(spread_of({}).median));
 }
 
-TEST_CASE("the roofline's model counts what a constraint moves", "[bench]") {
+TEST_CASE("the roofline model counts the bytes that a constraint moves", "[bench]") {
   CHECK(streamed_bytes(distance_cost, 4) == 4 + 4);        // index of the end, rest length
   CHECK(streamed_bytes(strain_cost, 8) == 3 * 4 + 4 * 8);  // three indices, Q⁻¹
-  // Neither limit can be beaten: flops at the peak, streamed bytes at the bandwidth of their level.
+  // No kernel can beat either limit: flops at the peak, streamed bytes at the bandwidth of their cache level.
   const std::size_t scene = std::size_t{1} << 22;
   const double least = roofline_seconds(strain_cost, 4, 0.5, scene);
   CHECK(least >= strain_cost.flops / peak_flops(4));
@@ -147,23 +148,23 @@ TEST_CASE("bench measures every effect in a scene where it acts", "[bench][effec
   for (const EffectKind* effect : effects()) {
     INFO(effect->name);
     const std::string name = "effect/" + std::string(effect->name) + "/32";
-    const auto row = std::ranges::find_if(rows, [&](const auto& each) { return each.at("name") == name; });
+    const auto row = std::ranges::find_if(rows, [&](const auto& entry) { return entry.at("name") == name; });
     REQUIRE(row != rows.end());
     CHECK(row->at("acted_per_step") > 0);
     CHECK(row->at("ns_per_constraint") > 0);
   }
 }
 
-TEST_CASE("bench: a case that fails is reported, and the others are measured", "[bench]") {
+TEST_CASE("bench: a case that fails is reported, and the other cases are measured", "[bench]") {
   const auto row = [](double ns) { return [ns] { return BenchRow{.ns = {.median = ns}}; }; };
   const auto fails = []() -> BenchRow { throw std::runtime_error("no such luck"); };
   const std::vector<BenchCase> cases = {
       {"lost", "", fails}, {"oracle", "", row(6)}, {"kernel", "oracle", row(2)}, {"other", "lost", row(1)}};
-  std::string told;
+  std::string failures;
   const std::vector<BenchRow> rows = run_bench(
       cases, [](const std::string&) {},
-      [&](const std::string& id, const std::string& why) { told += id + why; });
-  CHECK(told == "lostno such luck");
+      [&](const std::string& id, const std::string& why) { failures += id + why; });
+  CHECK(failures == "lostno such luck");
   REQUIRE(rows.size() == 3);
   CHECK(rows[1].ratio_to_oracle == 3.0);
   CHECK_FALSE(rows[2].ratio_to_oracle);

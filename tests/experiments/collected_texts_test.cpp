@@ -1,4 +1,4 @@
-// What many runs have to be told of is told once: the worst run first, with the range of the others.
+// Equal warnings of many runs are printed once, for the worst run and with the range of all runs.
 #include "experiments/cli/collected_texts.hpp"
 
 #include <cmath>
@@ -28,27 +28,27 @@ std::vector<CampaignRun> runs_of(const Experiment& experiment) {
 
 }  // namespace
 
-TEST_CASE("warnings are told of the worst run, with the range", "[warnings]") {
+TEST_CASE("a warning of several runs is printed for the worst run, with the range", "[warnings]") {
   const Experiment experiment = sweep_of_cells();
   std::vector<CampaignRun> runs = runs_of(experiment);
   runs[0].outcome->warnings = {{"soft_solver", "has 48 %", -0.48, "48 %"}, {"inert_seed", "a seed"}};
   runs[1].outcome->warnings = {{"soft_solver", "has 3 %", -0.03, "3 %"}};
   runs[2].outcome->warnings = {{"soft_solver", "has 20 %", -0.2, "20 %"}, {"inert_seed", "a seed"}};
-  const std::vector<CollectedText> told = collected_warnings(runs);
-  REQUIRE(told.size() == 2);
-  CHECK(told[0].kind == "soft_solver");
-  CHECK(text_of(told[0]) == "cells 8: has 3 % (the worst of 3 runs: 3 % to 48 %)");
-  CHECK(text_of(told[1]) == "cells 4: a seed (and 1 more run)");
+  const std::vector<CollectedText> texts = collected_warnings(runs);
+  REQUIRE(texts.size() == 2);
+  CHECK(texts[0].kind == "soft_solver");
+  CHECK(text_of(texts[0]) == "cells 8: has 3 % (the worst of 3 runs: 3 % to 48 %)");
+  CHECK(text_of(texts[1]) == "cells 4: a seed (and 1 more run)");
 }
 
-TEST_CASE("runs that are equally bad are not told a range", "[warnings]") {
+TEST_CASE("a warning of runs that are equally bad has no range", "[warnings]") {
   const Experiment experiment = sweep_of_cells();
   std::vector<CampaignRun> runs = runs_of(experiment);
   for (CampaignRun& run : runs) run.outcome->warnings = {{"lagging", "is behind", 3, "3 times"}};
   CHECK(text_of(collected_warnings(runs).at(0)) == "cells 4: is behind (and 2 more runs: 3 times)");
 }
 
-TEST_CASE("broken bounds are told once per bound, what is not finite first", "[plausibility]") {
+TEST_CASE("each broken bound is printed once, for a value that is not finite first", "[plausibility]") {
   const Experiment experiment = sweep_of_cells();
   std::vector<CampaignRun> runs = runs_of(experiment);
   const auto stretched = [](double measured) {
@@ -57,20 +57,21 @@ TEST_CASE("broken bounds are told once per bound, what is not finite first", "[p
   runs[0].outcome->broken = stretched(3);
   runs[1].outcome->broken = stretched(390);
   runs[2].outcome->broken = stretched(NAN);
-  std::vector<CollectedText> told = collected_bounds(runs);
-  REQUIRE(told.size() == 1);
-  CHECK(told[0].place == "cells 16");
-  CHECK_THAT(text_of(told[0]), ContainsSubstring("(the worst of 3 runs: not finite to 3)"));
+  std::vector<CollectedText> texts = collected_bounds(runs);
+  REQUIRE(texts.size() == 1);
+  CHECK(texts[0].place == "cells 16");
+  CHECK_THAT(text_of(texts[0]), ContainsSubstring("(the worst of 3 runs: not finite to 3)"));
   runs[2].outcome->broken =
       BrokenBound{.bound = Bound::speed, .measured = 8, .limit = 4, .time = 1, .vertex = 5};
-  told = collected_bounds(runs);
-  REQUIRE(told.size() == 2);
-  CHECK_THAT(text_of(told[0]), ContainsSubstring("cells 8: at t = 1 s") &&
-                                   ContainsSubstring("(the worst of 2 runs: 390 to 3)"));
-  CHECK_THAT(text_of(told[1]), ContainsSubstring("cells 16: at t = 1 s"));
+  texts = collected_bounds(runs);
+  REQUIRE(texts.size() == 2);
+  CHECK_THAT(text_of(texts[0]), ContainsSubstring("cells 8: at t = 1 s") &&
+                                    ContainsSubstring("(the worst of 2 runs: 390 to 3)"));
+  CHECK_THAT(text_of(texts[1]), ContainsSubstring("cells 16: at t = 1 s"));
 }
 
-TEST_CASE("a table has what the config expects and the measures that it asks for", "[command line]") {
+TEST_CASE("a table has columns for the metrics of expectations and for the requested measures",
+          "[command line]") {
   const Experiment experiment = sweep_of_cells(
       R"(, "output": {"measures": ["drape"]},
          "expect": [{"metric": "worst_stretch", "max": 2, "why": "x"}])");

@@ -1,4 +1,4 @@
-// The program as somebody runs it: exit codes, what goes to stdout and what to stderr, reuse, interruption.
+// The program as users run it: exit codes, output to stdout and stderr, reuse of runs, interruption.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,12 +24,12 @@ using nlohmann::json;
 
 using bendlab::test::Workplace;
 
-/// A 16 x 16 and a 20 x 20 cloth for a tenth of a second.
+/// A cloth of 16 × 16 cells and a cloth of 20 × 20 cells, for a tenth of a second.
 constexpr const char* small = R"({"name": "small", "defaults": "paper",
           "duration": 0.1, "bending": {"model": "crossover"},
   "sweep": {"/mesh/cells": [16, 20]}})";
 
-TEST_CASE("Usage errors exit with 2 and say what was meant", "[command line]") {
+TEST_CASE("Usage errors exit with 2 and suggest what was meant", "[command line]") {
   Workplace here;
   CHECK(here.run("") == 2);
   CHECK(here.run("rnu small.json") == 2);
@@ -74,7 +74,7 @@ TEST_CASE("Config errors exit with 3 before anything is created", "[command line
   CHECK_THAT(here.out(), ContainsSubstring("2 runs"));
 }
 
-TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or written with 5",
+TEST_CASE("Meshes that cannot be used exit with 4, files that cannot be read or written with 5",
           "[command line]") {
   Workplace here;
   here.write("small.json", small);
@@ -92,9 +92,9 @@ TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or wr
   CHECK(here.run("run small.json --json >/dev/full") == 5);
 }
 
-TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was done", "[command line]") {
+TEST_CASE("A bad mesh is refused, or accepted by a policy that reports its changes", "[command line]") {
   Workplace here;
-  // A cap on the boundary, a triangle twice, and a third triangle at the diagonal.
+  // A cap on the boundary, a duplicate triangle, and a third triangle at the diagonal.
   here.write("bad.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.5 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 2 3\nf "
              "1 3 6\n");
@@ -123,7 +123,7 @@ TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was don
 
 TEST_CASE("The refusal of an obstacle names a remedy that works", "[command line]") {
   Workplace here;
-  here.write("bad.obj", "v 0 0 -1\nv 1 0 -1\nv 1 1 -1\nf 1 2 3\nf 2 3 1\n");  // a triangle twice
+  here.write("bad.obj", "v 0 0 -1\nv 1 0 -1\nv 1 1 -1\nf 1 2 3\nf 2 3 1\n");  // a duplicate triangle
   const auto config = [](const std::string& file) {
     return R"({"name": "o", "defaults": "paper", "duration": 0.05, "mesh": {"cells": 4},
                "effects": [{"type": "mesh_obstacle", "file": ")" +
@@ -140,7 +140,8 @@ TEST_CASE("The refusal of an obstacle names a remedy that works", "[command line
   CHECK(here.run("mesh new.obj --write new.stl") == 4);
 }
 
-TEST_CASE("Texture coordinates on some of the faces are counted", "[command line]") {
+TEST_CASE("If only a part of the faces has texture coordinates, the faces without are counted",
+          "[command line]") {
   Workplace here;
   here.write("half.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n");
@@ -151,18 +152,17 @@ TEST_CASE("Texture coordinates on some of the faces are counted", "[command line
   CHECK_THAT(here.err(), ContainsSubstring("1 of 2 triangles have none"));
 }
 
-TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[command line]") {
+TEST_CASE("A sweep prints a row per run, and in a pipe nothing on stderr", "[command line]") {
   Workplace here;
   here.write("small.json", small);
   REQUIRE(here.run("run small.json") == 0);
   CHECK(here.err().empty());
   CHECK_THAT(here.out(),
              ContainsSubstring("cells  vertices  triangles  springs") && ContainsSubstring("complete"));
-  CHECK_THAT(here.out(), !ContainsSubstring("\x1b"));  // no colours where nobody sees them
+  CHECK_THAT(here.out(), !ContainsSubstring("\x1b"));  // no colours in a pipe
 }
 
-TEST_CASE("The option --json prints an object per run with what the run was and what came out",
-          "[command line]") {
+TEST_CASE("The option --json prints an object per run with its settings and results", "[command line]") {
   Workplace here;
   here.write("small.json", small);
   REQUIRE(here.run("run small.json --json --jobs 2") == 0);
@@ -187,7 +187,7 @@ TEST_CASE("The option --json prints an object per run with what the run was and 
     }
   }
 
-  SECTION("a complete run is not run again, unless forced") {
+  SECTION("a complete run is not repeated, unless forced") {
     REQUIRE(here.run("run small.json --json") == 0);
     for (const json& run : here.out_lines()) CHECK(run.at("reused") == true);
     REQUIRE(here.run("plan small.json --json") == 0);
@@ -203,18 +203,19 @@ TEST_CASE("The option --json prints an object per run with what the run was and 
     const std::string id = runs[1].at("id"), file = runs[1].at("file");
     for (const std::string& name : {id, file, fs::path(file).parent_path().string()}) {
       REQUIRE(here.run("show --json '" + name + "'") == 0);
-      const json shown = here.out_lines().at(0);
-      CHECK(shown.at("id") == id);
-      CHECK(shown.at("config") == runs[1].at("config"));
-      CHECK(shown.at("provenance").contains("git_commit"));
+      const json record = here.out_lines().at(0);
+      CHECK(record.at("id") == id);
+      CHECK(record.at("config") == runs[1].at("config"));
+      CHECK(record.at("provenance").contains("git_commit"));
     }
     REQUIRE(here.run("show " + id) == 0);
     CHECK_THAT(here.out(), ContainsSubstring("summary") && ContainsSubstring("provenance"));
-    CHECK(here.run("show results") == 2);  // two runs: which one?
+    CHECK(here.run("show results") == 2);  // ambiguous: there are two runs
   }
 }
 
-TEST_CASE("The option --set overrides a value and replaces an axis, and --out says where", "[command line]") {
+TEST_CASE("The option --set overrides a value and replaces an axis, and --out names the folder",
+          "[command line]") {
   Workplace here;
   here.write("small.json", small);
   REQUIRE(here.run("run small.json --json --set /mesh/cells=4 --set /bending/model=none --out elsewhere") ==
@@ -227,7 +228,7 @@ TEST_CASE("The option --set overrides a value and replaces an axis, and --out sa
   CHECK_FALSE(fs::exists(here.folder / "results"));
 }
 
-TEST_CASE("An expectation that does not hold exits with 1 and says why it was stated", "[command line]") {
+TEST_CASE("An expectation that does not hold exits with 1, and its reason is printed", "[command line]") {
   Workplace here;
   here.write("expect.json", R"({"name": "expect", "defaults": "paper",
           "duration": 0.1, "mesh": {"cells": 2}, "expect": [
@@ -238,7 +239,7 @@ TEST_CASE("An expectation that does not hold exits with 1 and says why it was st
   CHECK_THAT(here.out(), ContainsSubstring("FAIL") && ContainsSubstring("one too few, on purpose"));
 }
 
-TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
+TEST_CASE("If a run of a sweep fails, the other runs continue", "[command line]") {
   Workplace here;
   here.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   here.write("mixed.json",
@@ -253,8 +254,9 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
   CHECK(runs[1].at("status") == "complete");
 }
 
-TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other", "[command line]") {
-  // Gravity as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
+TEST_CASE("A run that diverges exits with 6, keeps its frames and does not stop other runs",
+          "[command line]") {
+  // Gravity of 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
   Workplace here;
   here.write("wild.json", R"({"name": "wild", "defaults": "paper",
           "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
@@ -267,21 +269,21 @@ TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other
   CHECK_THAT(runs[0].at("message").get<std::string>(), ContainsSubstring("diverged at t = ") &&
                                                            ContainsSubstring("vertex") &&
                                                            ContainsSubstring("the most stretched"));
-  CHECK(runs[0].at("summary").contains("mean_strain"));  // of the frames before
+  CHECK(runs[0].at("summary").contains("mean_strain"));  // from the frames before
   CHECK(runs[1].at("status") == "complete");
-  CHECK(here.run("run wild.json --json") == 6);  // found, not computed again
+  CHECK(here.run("run wild.json --json") == 6);  // reused, not computed again
   CHECK(here.out_lines().at(0).at("reused") == true);
 }
 
-TEST_CASE("A signal keeps the frames and the same command again completes the run", "[command line]") {
+TEST_CASE("After a signal the frames are kept, and the same command completes the run", "[command line]") {
   const auto [signal, code] = GENERATE(std::pair(SIGINT, 130), std::pair(SIGTERM, 143));
   Workplace here;
-  // Long enough that the signal, sent within milliseconds of the first frame, comes in time.
+  // The run is so long that the signal, sent within milliseconds after the first frame, comes in time.
   here.write("long.json",
              R"({"name": "long", "defaults": "paper",
           "duration": 60, "mesh": {"cells": 8}, "output": {"frames_per_second": 5}})");
   REQUIRE(here.run_and_signal("long.json", signal) == code);
-  CHECK_THAT(here.err(), ContainsSubstring("same command again"));
+  CHECK_THAT(here.err(), ContainsSubstring("the same command computes the rest"));
   REQUIRE(here.run("list --json") == 0);
   REQUIRE(here.out_lines().size() == 1);
   const json stopped = here.out_lines()[0];
@@ -294,10 +296,10 @@ TEST_CASE("A signal keeps the frames and the same command again completes the ru
   CHECK(here.out_lines().at(0).at("status") == "complete");
   REQUIRE(here.run("list --json") == 0);
   REQUIRE(here.out_lines().size() == 1);
-  CHECK(here.out_lines()[0].at("frames") == 301);  // 5 a second for 60 s, and the first
+  CHECK(here.out_lines()[0].at("frames") == 301);  // 5 per second for 60 s, and the first
 }
 
-TEST_CASE("The reference commands print text and JSON", "[command line]") {
+TEST_CASE("Commands that describe settings print text and JSON", "[command line]") {
   Workplace here;
   for (const char* command : {"models", "effects", "methods", "schema"}) {
     INFO(command);

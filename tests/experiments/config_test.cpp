@@ -27,13 +27,13 @@ ConfigProblems problems_of(const std::string& text, const std::vector<std::strin
   return {};
 }
 
-// The message at `pointer` where it is the only problem; else what was found instead.
+// The message of the problem at `pointer` if it is the only problem; else a list of all problems.
 std::string only_problem(const std::string& text, const std::string& pointer) {
   const ConfigProblems problems = problems_of(text);
   if (problems.size() == 1 && problems[0].pointer == pointer) return problems[0].message;
-  std::string found = std::to_string(problems.size()) + " problems:";
-  for (const ConfigProblem& problem : problems) found += "\n" + problem.pointer + ": " + problem.message;
-  return found;
+  std::string list = std::to_string(problems.size()) + " problems:";
+  for (const ConfigProblem& problem : problems) list += "\n" + problem.pointer + ": " + problem.message;
+  return list;
 }
 
 RunConfig single_run(const std::string& text, const std::vector<std::string>& overrides = {}) {
@@ -42,14 +42,14 @@ RunConfig single_run(const std::string& text, const std::vector<std::string>& ov
   return experiment.runs[0];
 }
 
-// An otherwise empty config with one more key.
+// A minimal config with this key in addition.
 std::string with(const std::string& key_and_value) {
   return R"({"name": "t", "defaults": "paper", )" + key_and_value + "}";
 }
 
 }  // namespace
 
-TEST_CASE("config: a name is enough, everything else has its default") {
+TEST_CASE("config: only the name is required, everything else has a default") {
   const Experiment experiment = parse_experiment(R"({"name": "minimal-1", "defaults": "paper"})", "test");
   CHECK(experiment.name == "minimal-1");
   CHECK(experiment.description.empty());
@@ -78,7 +78,7 @@ TEST_CASE("config: a name is enough, everything else has its default") {
   CHECK(run.scene().effects[0].as<Gravity>()->acceleration.z() == -9.81);
 }
 
-TEST_CASE("config: values that are given arrive typed") {
+TEST_CASE("config: stated values arrive with their types") {
   const RunConfig run = single_run(R"({
     "name": "t", "description": "d", "duration": 2,
     "mesh": {"generator": "disc", "radius": 0.25, "cells": 8.0},
@@ -100,7 +100,7 @@ TEST_CASE("config: values that are given arrive typed") {
   CHECK(run.settings().output.constraints);
 }
 
-TEST_CASE("config: no effects is not the same as none listed") {
+TEST_CASE("config: an empty list of effects differs from a config without effects") {
   CHECK(single_run(with(R"("effects": [])")).scene().effects.empty());
   CHECK(single_run(R"({"name": "t", "defaults": "paper"})").scene().effects.size() == 1);
 }
@@ -112,7 +112,7 @@ TEST_CASE("config: a model without settings has no object of its own") {
   CHECK(run.scene().bending.model.as<Adaptive>() == nullptr);
 }
 
-TEST_CASE("config: a setting that does not exist is refused with the nearest one") {
+TEST_CASE("config: a setting that does not exist is refused, and the nearest setting suggested") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THAT(only_problem(with(R"("mesh": {"cels": 8})"), "/mesh/cels"),
              ContainsSubstring("did you mean 'cells'?") &&
@@ -129,7 +129,7 @@ TEST_CASE("config: a setting that does not exist is refused with the nearest one
   CHECK_THAT(only_problem(with(R"("mesh": {"a/b~c": 8})"), "/mesh/a~1b~0c"), ContainsSubstring("'a/b~c'"));
 }
 
-TEST_CASE("config: a value that is not among the choices is refused with the nearest one") {
+TEST_CASE("config: a value that is not among the choices is refused, and the nearest choice suggested") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THAT(only_problem(with(R"("bending": {"model": "adaptve"})"), "/bending/model"),
              ContainsSubstring("none, crossover, k_ring, adaptive, lod") &&
@@ -142,7 +142,8 @@ TEST_CASE("config: a value that is not among the choices is refused with the nea
              ContainsSubstring("did you mean 'double'?"));
 }
 
-TEST_CASE("config: a wrong type or a value out of range says what is allowed and what came") {
+TEST_CASE(
+    "config: for a wrong type or a value out of range, the message names allowed values and the value") {
   struct Case {
     const char *json, *pointer, *message;
   };
@@ -173,7 +174,8 @@ TEST_CASE("config: a wrong type or a value out of range says what is allowed and
       {R"("effects": {"type": "gravity"})", "/effects", "expected a list"},
       {R"("effects": ["gravity"])", "/effects/0", "expected an object"},
       {R"("effects": [{}])", "/effects/0/type", "is missing: expected one of gravity"},
-      {R"("effects": [{"type": "gravity"}, {"type": "gravity"}])", "/effects/1", "already at /effects/0"},
+      {R"("effects": [{"type": "gravity"}, {"type": "gravity"}])", "/effects/1",
+       "already listed at /effects/0"},
       {R"("sweep": [1])", "/sweep", "expected an object"},
       {R"("expect": {})", "/expect", "expected a list"},
   };
@@ -181,7 +183,7 @@ TEST_CASE("config: a wrong type or a value out of range says what is allowed and
     CHECK_THAT(only_problem(with(c.json), c.pointer), Catch::Matchers::ContainsSubstring(c.message));
 }
 
-TEST_CASE("config: the ends of a range belong to it unless it says above") {
+TEST_CASE("config: the ends of a range belong to the range, except for `above`") {
   CHECK(problems_of(with(R"("mesh": {"cells": 4096}, "bending": {"k": 0}, "initial": {"tilt": -180})"))
             .empty());
   CHECK(problems_of(with(R"("duration": 0)")).size() == 1);
@@ -190,7 +192,7 @@ TEST_CASE("config: the ends of a range belong to it unless it says above") {
   CHECK(problems_of(with(R"("solver": {"dt": 0.9e-9})")).size() == 1);
 }
 
-TEST_CASE("config: the name names a folder") {
+TEST_CASE("config: the name must be valid as the name of a folder") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THAT(only_problem("{}", "/name"), ContainsSubstring("is missing"));
   CHECK_THAT(only_problem(R"({"name": ""})", "/name"), ContainsSubstring("must not be empty"));
@@ -199,11 +201,11 @@ TEST_CASE("config: the name names a folder") {
                ContainsSubstring("letters (a-z, A-Z)"));
 }
 
-TEST_CASE("config: a mesh file takes the place of the generator") {
+TEST_CASE("config: a mesh file replaces the generator") {
   const RunConfig run = single_run(with(R"("mesh": {"file": "shirt.obj", "scale": 0.001})"));
   CHECK(run.scene().mesh.file == "shirt.obj");
   CHECK(run.resolved()["mesh"].size() ==
-        4);  // the file, its scale, offset and what is done with bad triangles
+        4);  // the file, its scale, its offset and the policy for bad triangles
   CHECK(single_run(with(R"("mesh": {"file": null})")).scene().mesh.generator == Generator::grid);
   CHECK_THAT(only_problem(with(R"("mesh": {"file": "shirt.obj", "generator": "grid"})"), "/mesh/generator"),
              Catch::Matchers::ContainsSubstring("does not go with /mesh/file"));
@@ -224,7 +226,8 @@ TEST_CASE("config: a mesh file is looked for beside the config") {
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("config: an effect's file is looked for beside the config and is part of the run's identity") {
+TEST_CASE(
+    "config: the file of an effect is looked for beside the config, and its content changes the run's id") {
   const auto folder = std::filesystem::temp_directory_path() / "bendlab-config-effect-test";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "file.json")
@@ -244,7 +247,7 @@ TEST_CASE("config: an effect's file is looked for beside the config and is part 
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("config: settings of an effect that do not go together name the effect") {
+TEST_CASE("config: if settings of an effect contradict each other, the problem names the effect") {
   const RunConfig run =
       single_run(with(R"("effects": [{"type": "gravity"}, {"type": "plane", "normal": [0, 0, 0]}])"));
   CHECK_THROWS_WITH(
@@ -264,7 +267,7 @@ TEST_CASE("config: text that is not JSON is refused with line and column") {
   CHECK_THAT(only_problem("{\"name\": \"\xff\"}", ""), ContainsSubstring("UTF-8"));
   CHECK_THAT(only_problem("\xEF\xBB\xBF{\"name\": \"t\"}", ""), ContainsSubstring("byte order mark"));
   CHECK_THAT(only_problem(" \n", ""), ContainsSubstring("is empty"));
-  CHECK_THAT(only_problem("[]", ""), ContainsSubstring("a config is a JSON object"));
+  CHECK_THAT(only_problem("[]", ""), ContainsSubstring("a config must be a JSON object"));
 }
 
 TEST_CASE("config: numbers must be finite, keys unique, nesting at most 64 deep") {
@@ -285,7 +288,7 @@ TEST_CASE("config: numbers must be finite, keys unique, nesting at most 64 deep"
   CHECK_THROWS_AS(parse_strict_json(std::string(1000000, '['), "test"), ConfigError);
 }
 
-TEST_CASE("config: a duplicate key hides nothing else") {
+TEST_CASE("config: a duplicate key does not hide other problems") {
   CHECK(parse_strict_json(R"([{"a": {"b": [1, 2]}, "c": 3}])", "test").dump() ==
         R"([{"a":{"b":[1,2]},"c":3}])");
   const ConfigProblems problems = problems_of(R"({"name": "t", "defaults": "paper",
@@ -295,7 +298,7 @@ TEST_CASE("config: a duplicate key hides nothing else") {
   CHECK(problems[1].pointer == "/dutration");
 }
 
-TEST_CASE("config: all problems of a file come at once") {
+TEST_CASE("config: all problems of a file are reported at once") {
   const ConfigProblems problems = problems_of(R"({
     "name": "a b", "mesh": {"cels": 1, "width": -1, "width": 1}, "bending": {"k": 2, "model": "x"},
     "effects": [{"type": "gravity", "acceleration": 1}],
@@ -311,7 +314,7 @@ TEST_CASE("config: all problems of a file come at once") {
                                              "/sweep/~1mesh~1cel"});
 }
 
-TEST_CASE("config: the error's text holds the file and every problem") {
+TEST_CASE("config: the text of the error has the file and every problem") {
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "t", "defaults": "paper",
           "x": 1, "duration": 0})",
                                      "file.json"),
@@ -319,9 +322,10 @@ TEST_CASE("config: the error's text holds the file and every problem") {
                         Catch::Matchers::ContainsSubstring("\n  /duration: "));
 }
 
-TEST_CASE("config: equal physics has equal text") {
+TEST_CASE("config: configs with the same physics have the same identity text") {
   const std::string minimal = single_run(R"({"name": "t", "defaults": "paper"})").resolved().dump();
-  // Other name, order of keys, ways to write numbers, and settings of a model that is not chosen.
+  // Another name, another order of keys, other spellings of numbers, and settings of a model that is not
+  // chosen.
   CHECK(single_run(R"({"solver": {"iterations": 10.0, "substeps": 1}, "description": "other",
                        "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4,
                        "initial": {"tilt": -0.0}, "defaults": "paper",
@@ -331,7 +335,7 @@ TEST_CASE("config: equal physics has equal text") {
   CHECK(single_run(R"({"name": "t", "defaults": "paper", "duration": 4.1})").resolved().dump() != minimal);
 }
 
-TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") {
+TEST_CASE("config: the mass-spring method needs springs of a known stiffness") {
   using Catch::Matchers::ContainsSubstring;
   const std::string head = R"("solver": {"method": "kang_cho"}, )";
   const std::string strain = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}}, )";
@@ -340,8 +344,8 @@ TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") 
   const RunConfig run = single_run(with(head + strain + bending));
   CHECK(run.scene().solver.method.name() == "kang_cho");
   CHECK(run.scene().solver.method.as<KangCho>()->tangent == KangCho::Tangent::along);
-  CHECK_NOTHROW(
-      single_run(with(head + strain + R"("bending": {"model": "none"})")));  // no springs to be stiff
+  CHECK_NOTHROW(single_run(
+      with(head + strain + R"("bending": {"model": "none"})")));  // without springs no stiffness is needed
 
   const ConfigProblems both = problems_of(with(R"("solver": {"method": "kang_cho"})"));
   REQUIRE(both.size() == 2);
@@ -359,7 +363,7 @@ TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") 
              ContainsSubstring("constraint_damping acts between iterations"));
 }
 
-TEST_CASE("config: a force that jumps has no constant matrix") {
+TEST_CASE("config: quasi_newton refuses a model whose force jumps") {
   using Catch::Matchers::ContainsSubstring;
   const std::string head = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}}, )";
   const std::string bending =
@@ -388,11 +392,11 @@ TEST_CASE("config: coarse levels need a membrane that resists in every direction
   };
   CHECK(problems_of(with_strain("")).empty());
   CHECK_THAT(only_problem(with_strain(R"("shear": 0)"), "/material/strain/shear"),
-             ContainsSubstring("because /solver/levels"));
+             ContainsSubstring("because the coarse levels of /solver/levels"));
   CHECK(problems_of(with(R"("material": {"strain": {"shear": 0}})")).empty());
 }
 
-TEST_CASE("config: what the solver's method does not use makes no other run") {
+TEST_CASE("config: settings that the solver method does not use do not change the run's identity") {
   const std::string kang_cho =
       R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
          "bending": {"model": "crossover", "stiffness": "compliance", "compliance": 1},
@@ -407,7 +411,7 @@ TEST_CASE("config: what the solver's method does not use makes no other run") {
   CHECK(identity_text(single_run(R"({"name": "t"})", {"/solver/tangent=taut"}).resolved()) == pbd);
 }
 
-TEST_CASE("config: an equilibrium asks for energies and loads") {
+TEST_CASE("config: an equilibrium needs energies and loads") {
   const std::string equilibrium =
       R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
          "bending": {"model": "dihedral", "stiffness": "compliance", "compliance": 1},
@@ -416,12 +420,13 @@ TEST_CASE("config: an equilibrium asks for energies and loads") {
   for (const char* unused : {"/solver/iterations=3", "/solver/substeps=5", "/solver/precision=double"})
     CHECK(identity_text(single_run(with(equilibrium), {unused}).resolved()) == text);
   CHECK(identity_text(single_run(with(equilibrium), {"/material/strain/shear=0.5"}).resolved()) != text);
-  CHECK(problems_of(with(R"("solver": {"method": "equilibrium"})")).size() == 2);  // strain and bending by k
+  CHECK(problems_of(with(R"("solver": {"method": "equilibrium"})")).size() ==
+        2);  // k for strain and for bending
   CHECK_THAT(only_problem(with(equilibrium + R"(, "effects": [{"type": "sphere"}])"), "/effects/0"),
              Catch::Matchers::ContainsSubstring("acts between iterations"));
 }
 
-TEST_CASE("config: the resolved config reads back as itself") {
+TEST_CASE("config: the resolved config reads back as the same config") {
   for (const BendingKind* model : bending_models()) {
     const std::string text =
         single_run(with(R"("bending": {"model": ")" + std::string(model->name) +
@@ -434,17 +439,17 @@ TEST_CASE("config: the resolved config reads back as itself") {
   CHECK(single_run(file, {"/name=again"}).resolved().dump() == file);
 }
 
-TEST_CASE("config: threads do not make another run") {
-  const RunConfig one = single_run(R"({"name": "t", "defaults": "paper"})"),
-                  two = single_run(with(R"("solver": {"threads": 2})"));
-  CHECK(identity_text(one.resolved()) == identity_text(two.resolved()));
-  CHECK(one.resolved() != two.resolved());
-  CHECK(identity_text(one.resolved()) !=
+TEST_CASE("config: the number of threads does not change the run's identity") {
+  const RunConfig default_threads = single_run(R"({"name": "t", "defaults": "paper"})"),
+                  two_threads = single_run(with(R"("solver": {"threads": 2})"));
+  CHECK(identity_text(default_threads.resolved()) == identity_text(two_threads.resolved()));
+  CHECK(default_threads.resolved() != two_threads.resolved());
+  CHECK(identity_text(default_threads.resolved()) !=
         identity_text(single_run(with(R"("solver": {"iterations": 11})")).resolved()));
-  CHECK_THAT(identity_text(one.resolved()), !Catch::Matchers::ContainsSubstring("threads"));
+  CHECK_THAT(identity_text(default_threads.resolved()), !Catch::Matchers::ContainsSubstring("threads"));
 }
 
-TEST_CASE("config: physical stiffness goes with what the model is made of") {
+TEST_CASE("config: the kind of physical stiffness depends on the constraints of the model") {
   using Catch::Matchers::ContainsSubstring;
   const auto bending = [](const std::string& settings) {
     return with(R"("bending": {"stiffness": "physical", )" + settings + "}");
@@ -456,20 +461,20 @@ TEST_CASE("config: physical stiffness goes with what the model is made of") {
                      "quartic_coefficient"),
              ContainsSubstring("remove one of the two"));
   CHECK_THAT(problem(R"("model": "bridson", "quartic_coefficient": 1e-9)", "quartic_coefficient"),
-             ContainsSubstring("give flexural_rigidity"));
+             ContainsSubstring("state flexural_rigidity"));
   CHECK_THAT(problem(R"("model": "bridson", "flexural_rigidity": 0)", "flexural_rigidity"),
              ContainsSubstring("above 0"));
   CHECK(problems_of(bending(R"("model": "none")")).empty());
-  // To a mass-spring step it is a known stiffness as a compliance is.
+  // For the mass-spring method it is a known stiffness, like a compliance.
   CHECK(problems_of(R"({"name": "t", "defaults": "paper", "solver": {"method": "kang_cho"},
     "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
     "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})")
             .empty());
-  // A membrane states its own stiffness, in N/m.
+  // A membrane has its own physical stiffness, in N/m.
   CHECK(problems_of(with(R"("material": {"strain": {"stiffness": "physical"}})")).empty());
 }
 
-TEST_CASE("config: stiffnesses that contradict each other are named") {
+TEST_CASE("config: contradicting stiffnesses are refused, and the message names both") {
   const auto refused = [](const std::string& bending, const std::string& both) {
     INFO(bending);
     CHECK_THAT(
@@ -481,7 +486,7 @@ TEST_CASE("config: stiffnesses that contradict each other are named") {
   refused(R"("compliance": 1, "flexural_rigidity": 1e-4)", "compliance and a rigidity");
 }
 
-TEST_CASE("config: of a stiffness only what it uses is part of the result") {
+TEST_CASE("config: only the settings that a stiffness uses are part of the resolved config") {
   const std::string settings = R"("k": 0.3, "compliance": 2, "flexural_rigidity": 1e-5, "at_curvature": 40)";
   const auto kept = [&](const std::string& kind) {
     return single_run(with(R"("bending": {"stiffness": ")" + kind + "\", " + settings + "}"))
@@ -494,14 +499,14 @@ TEST_CASE("config: of a stiffness only what it uses is part of the result") {
   CHECK_FALSE(kept("compliance").contains("at_curvature"));
 }
 
-TEST_CASE("config: a scene's solver has the settings of its method") {
+TEST_CASE("config: the solver of a scene has the settings of its method") {
   const BuiltScene cut = build_scene(single_run(with(R"("solver": {"flight_limit": 0.7})")).scene());
   CHECK(settings_of<Pbd>(cut.input).flight_limit == 0.7);
   const BuiltScene whole = build_scene(single_run(with(R"("solver": {"flight_limit": 0})")).scene());
   CHECK(settings_of<Pbd>(whole.input).flight_limit == 0);
 }
 
-TEST_CASE("config: a scene counts the springs that join no neighbours") {
+TEST_CASE("config: a scene counts the springs that do not join neighbours") {
   const auto beyond = [](const std::string& bending) {
     return build_scene(single_run(with(R"("mesh": {"cells": 4}, "pins": {"vertices": []},
                                         "bending": )" +
@@ -509,11 +514,11 @@ TEST_CASE("config: a scene counts the springs that join no neighbours") {
                            .scene())
         .springs_beyond_ring_1;
   };
-  CHECK(beyond(R"({"model": "crossover"})") == 40);  // one over each of 56 - 16 interior edges
+  CHECK(beyond(R"({"model": "crossover"})") == 40);  // a spring across each of 56 - 16 interior edges
   CHECK(beyond(R"({"model": "k_ring", "k_ring": {"k": 1}})") == 0);
 }
 
-TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1") {
+TEST_CASE("config: in a scene with physical stiffness the compliance is 1") {
   const std::string text =
       R"({"name": "t", "defaults": "paper",
           "mesh": {"generator": "equilateral", "width": 0.24, "height": 0.24, "cells": 12},
@@ -523,13 +528,14 @@ TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1
   CHECK(scene.input.bending_stiffness.kind == StiffnessKind::compliance);
   CHECK(scene.input.bending_stiffness.compliance == 1);
   CHECK(std::ranges::count(scene.bending_facts, "linear_factor", &BendingFact::name) == 1);
-  // Uniform hinges have √3/2 k away from free edges, where a few percent of what they lack is made up for.
+  // Uniform hinges have √3/2 k, except at free edges, where they are a few percent stiffer to make up for
+  // missing hinges.
   const auto& hinges = std::get<ElementList<HingeAngle>>(scene.input.elements);
   std::vector<double> stiffness;
   for (const double softness : hinges.softness) stiffness.push_back(1 / softness);
   std::ranges::nth_element(stiffness, stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2));
   CHECK_THAT(stiffness[stiffness.size() / 2], WithinRel(2 / std::sqrt(3.0) * 3e-5, 0.03));
-  // What only the mesh can tell is an error of the config all the same.
+  // Problems that only the mesh reveals are errors of the config, too.
   CHECK_THROWS_AS(single_run(R"({"name": "t", "defaults": "paper",
           "mesh": {"generator": "tube"}, "pins": {"vertices": ["top_rim"]},
     "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})"),

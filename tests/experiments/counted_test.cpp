@@ -6,7 +6,7 @@
 
 using namespace bendlab;
 
-TEST_CASE("counted: one is singular, any other number plural") {
+TEST_CASE("counted: the word is singular for 1 and plural for any other number") {
   CHECK(counted(0, "run") == "0 runs");
   CHECK(counted(1, "run") == "1 run");
   CHECK(counted(std::size_t{2}, "more run") == "2 more runs");

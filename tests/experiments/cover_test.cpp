@@ -1,4 +1,4 @@
-// Covering arrays by brute force, and sweeps that take one instead of every combination.
+// Covering arrays, compared with a search through all combinations, and sweeps that use them.
 #include "experiments/config/cover.hpp"
 
 #include <fmt/format.h>
@@ -36,8 +36,8 @@ bool in_one_of(const std::vector<CoverRow>& rows, const CoverTuple& tuple) {
   return std::ranges::any_of(rows, [&](const CoverRow& row) { return has(row, tuple); });
 }
 
-// Calls visit(tuple) for every combination of values of `strength` axes from `from` on, each added to
-// `tuple`.
+// Calls visit(tuple) for every combination of values of `strength` axes from the axis `from` on. Each call
+// appends such a combination to `tuple`.
 template <class Visit>
 void for_each_tuple(const Sizes& sizes, std::size_t strength, std::size_t from, CoverTuple& tuple,
                     const Visit& visit) {
@@ -54,7 +54,7 @@ std::vector<CoverTuple> tuples(const Sizes& sizes, std::size_t strength) {
   std::vector<CoverTuple> all;
   CoverTuple tuple;
   for_each_tuple(sizes, std::min(strength, sizes.size()), 0, tuple,
-                 [&](const CoverTuple& each) { all.push_back(each); });
+                 [&](const CoverTuple& complete) { all.push_back(complete); });
   return all;
 }
 
@@ -95,29 +95,30 @@ void check_problem(const std::string& rest, const std::string& pointer, const st
 
 }  // namespace
 
-TEST_CASE("cover: every combination of the strength is in a row, whatever the axes", "[cover]") {
+TEST_CASE("cover: for any axes, every combination of the given strength is in a row", "[cover]") {
   std::mt19937_64 generator(1);
   for (int strength = 1; strength <= 4; ++strength)
     for (int trial = 0; trial < 8; ++trial) {
-      const Sizes sizes =
-          random_sizes(generator, 1 + generator() % 7, 5);  // axes of one value, fewer axes than the strength
+      const Sizes sizes = random_sizes(generator, 1 + generator() % 7,
+                                       5);  // also axes with a single value, and fewer axes than the strength
       CAPTURE(strength, sizes);
-      const CoverRows found = covering_rows(sizes, {strength, 1}, anything, most);
+      const CoverRows cover = covering_rows(sizes, {strength, 1}, anything, most);
       const std::vector<CoverTuple> wanted = tuples(sizes, static_cast<std::size_t>(strength));
-      CHECK(found.tuples == wanted.size());
-      CHECK(found.missing == 0);
-      CHECK(found.impossible.empty());
+      CHECK(cover.tuples == wanted.size());
+      CHECK(cover.missing == 0);
+      CHECK(cover.impossible.empty());
       CHECK(
-          std::ranges::all_of(wanted, [&](const CoverTuple& tuple) { return in_one_of(found.rows, tuple); }));
-      CHECK(std::set<CoverRow>(found.rows.begin(), found.rows.end()).size() == found.rows.size());
+          std::ranges::all_of(wanted, [&](const CoverTuple& tuple) { return in_one_of(cover.rows, tuple); }));
+      CHECK(std::set<CoverRow>(cover.rows.begin(), cover.rows.end()).size() == cover.rows.size());
       const std::size_t whole =
           std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>());
-      CHECK(found.rows.size() <= whole);
-      if (static_cast<std::size_t>(strength) >= sizes.size()) CHECK(found.rows.size() == whole);
+      CHECK(cover.rows.size() <= whole);
+      if (static_cast<std::size_t>(strength) >= sizes.size()) CHECK(cover.rows.size() == whole);
     }
 }
 
-TEST_CASE("cover: what is refused is in no row, all else is covered, and the reasons are told", "[cover]") {
+TEST_CASE("cover: refused combinations are in no row and listed, and all other combinations are covered",
+          "[cover]") {
   std::mt19937_64 generator(2);
   for (int trial = 0; trial < 12; ++trial) {
     const Sizes sizes = random_sizes(generator, 5, 4);
@@ -132,44 +133,44 @@ TEST_CASE("cover: what is refused is in no row, all else is covered, and the rea
     std::erase_if(possible, [&](const CoverRow& row) { return !allowed(row); });
     for (const int strength : {1, 2, 3}) {
       CAPTURE(trial, strength, sizes, forbidden);
-      const CoverRows found = covering_rows(sizes, {strength, 1}, allowed, most);
-      CHECK(std::ranges::all_of(found.rows, allowed));
+      const CoverRows cover = covering_rows(sizes, {strength, 1}, allowed, most);
+      CHECK(std::ranges::all_of(cover.rows, allowed));
       std::size_t missing = 0;
       for (const CoverTuple& tuple : tuples(sizes, static_cast<std::size_t>(strength))) {
-        CHECK(in_one_of(found.rows, tuple) == in_one_of(possible, tuple));
-        missing += !in_one_of(found.rows, tuple);
+        CHECK(in_one_of(cover.rows, tuple) == in_one_of(possible, tuple));
+        missing += !in_one_of(cover.rows, tuple);
       }
-      CHECK(found.missing == missing);
-      for (const CoverTuple& tuple : found.impossible) CHECK_FALSE(in_one_of(possible, tuple));
-      CHECK(found.impossible.empty() == (missing == 0));
+      CHECK(cover.missing == missing);
+      for (const CoverTuple& tuple : cover.impossible) CHECK_FALSE(in_one_of(possible, tuple));
+      CHECK(cover.impossible.empty() == (missing == 0));
     }
   }
 }
 
-TEST_CASE("cover: where nothing is allowed there is no row", "[cover]") {
+TEST_CASE("cover: if nothing is allowed there are no rows", "[cover]") {
   const CoverRows none = covering_rows(
       Sizes{2, 3}, {2, 1}, [](const CoverRow&) { return false; }, most);
   CHECK(none.rows.empty());
   CHECK(none.missing == 6);
-  CHECK(none.impossible.size() == 5);  // each value by itself
+  CHECK(none.impossible.size() == 5);  // every single value
 }
 
-TEST_CASE("cover: nothing to vary is one row", "[cover]") {
+TEST_CASE("cover: without axes there is one row", "[cover]") {
   CHECK(covering_rows(Sizes{}, {3, 1}, anything, most).rows == std::vector<CoverRow>{{}});
   CHECK(covering_rows(Sizes{1, 1}, {3, 1}, anything, most).rows == std::vector<CoverRow>{{0, 0}});
 }
 
-TEST_CASE("cover: the same arguments give the same rows, another seed others", "[cover]") {
+TEST_CASE("cover: the same arguments give the same rows, and another seed gives other rows", "[cover]") {
   const Sizes sizes = {4, 3, 5, 2, 3};
   const auto rows = [&](std::uint64_t seed) { return covering_rows(sizes, {2, seed}, anything, most).rows; };
   CHECK(rows(1) == rows(1));
   CHECK(rows(1) != rows(2));
 }
 
-// At least the product of the largest axes is needed. Published sizes of the method it follows: 17 rows for
-// the pairs of 13 axes of three values, 10 axes of two values in 12 rows for triples or fewer is optimal; a
-// greedy search may take a quarter more.
-TEST_CASE("cover: few rows, in little time", "[cover]") {
+// The product of the largest axes is a lower bound. Published sizes of this method: 17 rows for the pairs of
+// 13 axes with three values. For the triples of 10 axes with two values, 12 rows are optimal. A greedy search
+// may take a quarter more.
+TEST_CASE("cover: the number of rows and the time are small", "[cover]") {
   const auto start = std::chrono::steady_clock::now();
   CHECK(covering_rows(plain, {3, 1}, anything, most).rows.size() <= 12 * 9 * 7 * 5 / 4);
   CHECK(covering_rows(Sizes(13, 3), {2, 1}, anything, most).rows.size() <= 17 * 5 / 4);
@@ -178,13 +179,13 @@ TEST_CASE("cover: few rows, in little time", "[cover]") {
         std::chrono::seconds(20));  // 0.5 s alone; a debug build on a busy machine
 }
 
-TEST_CASE("cover: too much is refused before memory is", "[cover]") {
+TEST_CASE("cover: too many combinations are refused before memory runs out", "[cover]") {
   CHECK_THROWS_AS(covering_rows(Sizes(10, 1000), {3, 1}, anything, most), std::invalid_argument);
   CHECK_THROWS_AS(covering_rows(Sizes{2}, {0, 1}, anything, most), std::invalid_argument);
   CHECK(covering_rows(Sizes{120, 120}, {2, 1}, anything, most).rows.size() == most + 1);
 }
 
-TEST_CASE("cover: a sweep's runs hold every pair of its values", "[cover]") {
+TEST_CASE("cover: the runs of a sweep hold every pair of its values", "[cover]") {
   const std::string rest = R"("cover": 2, "sweep": {
     "/mesh": [{"generator": "grid", "cells": 4}, {"generator": "disc", "cells": 3}, {"file": "a.obj"}],
     "/pins/vertices": [[], ["top"], ["centre"]],
@@ -199,28 +200,28 @@ TEST_CASE("cover: a sweep's runs hold every pair of its values", "[cover]") {
   std::set<std::string> pairs;
   for (const RunConfig& run : covered.runs) {
     REQUIRE(run.point.size() == 4);
-    for (const auto& [one, value] : run.point)
-      for (const auto& [other, with] : run.point)
-        if (one < other) pairs.insert(one + value.dump() + other + with.dump());
+    for (const auto& [first, value] : run.point)
+      for (const auto& [second, partner] : run.point)
+        if (first < second) pairs.insert(first + value.dump() + second + partner.dump());
   }
   CHECK(pairs.size() == 6 * 9);
   CHECK(experiment(rest, {R"(/cover={"strength": 1, "seed": 7})"}).runs.size() == 3);
 }
 
-TEST_CASE("cover: the limit is on what is run, and an override narrows an axis", "[cover]") {
+TEST_CASE("cover: the limit applies to the covering runs, and an override replaces an axis", "[cover]") {
   std::string rest = R"("cover": 2, "sweep": {"/bending/model": "all")";
   for (const char* pointer :
        {"/mesh/cells", "/solver/iterations", "/solver/substeps", "/mesh/seed", "/initial/seed"})
     rest += fmt::format(R"(, "{}": [1, 2, 3, 4, 5, 6, 7, 8])", pointer);
   rest += "}";
-  CHECK(experiment(rest).runs.size() < 200);  // of 393 216
+  CHECK(experiment(rest).runs.size() < 200);  // of 393 216 combinations
   const Experiment narrow = experiment(rest, {"/bending/model=none", "/mesh/cells=2"});
   CHECK(narrow.runs.size() < 130);
   for (const RunConfig& run : narrow.runs) CHECK(run.scene().bending.model.name() == "none");
   CHECK(narrow.cover.missing == 0);
 }
 
-TEST_CASE("cover: combinations that a rule refuses are left out and told", "[cover]") {
+TEST_CASE("cover: combinations that a rule refuses are left out and reported", "[cover]") {
   const Experiment covered = experiment(R"("cover": 2, "pins": {"vertices": []}, "sweep": {
     "/mesh/generator": ["grid", "tube", "disc"], "/mesh/cells": [2, 4, 6], "/mesh/height": [1, 2]})");
   CHECK(covered.cover.tuples == 9 + 6 + 6);
@@ -230,7 +231,7 @@ TEST_CASE("cover: combinations that a rule refuses are left out and told", "[cov
     CHECK_FALSE((run.resolved()["mesh"]["generator"] == "tube" && run.resolved()["mesh"]["cells"] == 2));
 }
 
-TEST_CASE("cover: what is wrong in every combination is a problem", "[cover]") {
+TEST_CASE("cover: a mistake in every combination is a problem of the config", "[cover]") {
   check_problem(R"("cover": 2, "sweep": {"/mesh/cells": [2, 0], "/bending/k": [0.1, 0.2]})",
                 "/sweep/~1mesh~1cells/1", "got 0");
   check_problem(R"("cover": 2, "sweep": {"/mesh/cels": [2, 0]})", "/sweep/~1mesh~1cels", "cannot be swept");
@@ -243,7 +244,7 @@ TEST_CASE("cover: what is wrong in every combination is a problem", "[cover]") {
   check_problem(R"("cover": {"strength": 2, "sed": 2})", "/cover/sed", "no setting 'sed'");
 }
 
-TEST_CASE("cover: the schema knows it", "[cover]") {
+TEST_CASE("cover: the schema describes /cover", "[cover]") {
   CHECK(schema_json()["properties"]["cover"]["oneOf"].size() == 2);
   CHECK_THAT(schema_text(), ContainsSubstring("/cover"));
 }

@@ -1,4 +1,4 @@
-// What a config gets that it does not say.
+// The settings that a config gets if it does not state them.
 #include <fmt/format.h>
 
 #include <array>
@@ -48,7 +48,7 @@ std::vector<std::string> effects_of(const Json& run) {
 
 }  // namespace
 
-TEST_CASE("defaults: a config that says nothing gets the recommended settings", "[defaults]") {
+TEST_CASE("defaults: a config that states no settings gets the recommended settings", "[defaults]") {
   const Json recommended = load_experiment(configs / "recommended.json").runs.at(0).resolved();
   const Json cells = recommended.at("mesh").at("cells");
   CHECK(resolved(R"({"name": "t", "mesh": {"cells": )" + cells.dump() +
@@ -56,7 +56,7 @@ TEST_CASE("defaults: a config that says nothing gets the recommended settings", 
         recommended);
 }
 
-TEST_CASE("defaults: those of the paper are what its configs write out", "[defaults]") {
+TEST_CASE("defaults: the defaults `paper` equal the settings in the paper's configs", "[defaults]") {
   int compared = 0;
   for (const RunConfig& run : load_experiment(configs / "paper" / "fig7.json").runs) {
     Json written = run.resolved();
@@ -70,10 +70,10 @@ TEST_CASE("defaults: those of the paper are what its configs write out", "[defau
                    R"(}}, "solver": {"precision": "single"},
                       "initial": {"perturbation": 1e-6}, "output": {"frames_per_second": 15}})") == written);
   }
-  CHECK(compared == 3);  // n once, twice and four times
+  CHECK(compared == 3);  // for n_multiplier 1, 2 and 4
 }
 
-TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
+TEST_CASE("defaults: a sweep may vary the defaults", "[defaults]") {
   const Experiment both = parse_experiment(
       R"({"name": "t", "sweep": {"/defaults": ["paper", "recommended"]},
           "expect": [{"metric": "springs", "min": 1, "why": "it has springs",
@@ -89,18 +89,18 @@ TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
   CHECK_FALSE(both.runs[0].resolved().contains("defaults"));  // runs of equal settings are the same run
 }
 
-TEST_CASE("defaults: said by an override they are what the config would say", "[defaults]") {
-  const std::string bare = R"({"name": "t"})", said = R"({"name": "t", "defaults": "paper"})";
+TEST_CASE("defaults: an override of /defaults has the same effect as the config", "[defaults]") {
+  const std::string bare = R"({"name": "t"})", stated = R"({"name": "t", "defaults": "paper"})";
   const std::vector<std::string> paper = {"/defaults=paper"};
-  CHECK(parse_experiment(bare, "test", paper).runs.at(0).resolved() == resolved(said));
+  CHECK(parse_experiment(bare, "test", paper).runs.at(0).resolved() == resolved(stated));
   const std::vector<std::string> both = {R"(/sweep={"/defaults": ["paper", "recommended"]})"};
   const Experiment swept = parse_experiment(bare, "test", both);
   REQUIRE(swept.runs.size() == 2);
-  CHECK(swept.runs[0].resolved() == resolved(said));
+  CHECK(swept.runs[0].resolved() == resolved(stated));
   CHECK(swept.runs[1].resolved() == resolved(bare));
 }
 
-TEST_CASE("defaults: an expectation for one of them is for the experiments that have it", "[defaults]") {
+TEST_CASE("defaults: an expectation may apply only to runs with certain defaults", "[defaults]") {
   const auto with = [](const char* defaults) {
     return std::string(R"({"name": "t", "defaults": ")") + defaults + R"(",
         "expect": [{"metric": "springs", "min": 1, "why": "it has springs",
@@ -111,7 +111,7 @@ TEST_CASE("defaults: an expectation for one of them is for the experiments that 
   CHECK_THAT(problem_of(with("recommended")), ContainsSubstring("/expect/0/where: matches no run"));
 }
 
-TEST_CASE("defaults: with the paper's, too, a stated stiffness counts", "[defaults]") {
+TEST_CASE("defaults: a stated stiffness also overrides the defaults of the paper", "[defaults]") {
   const auto of_paper = [](const std::string& section) {
     return resolved(R"({"name": "t", "defaults": "paper", "bending": )" + section + "}").at("bending");
   };
@@ -122,11 +122,11 @@ TEST_CASE("defaults: with the paper's, too, a stated stiffness counts", "[defaul
   CHECK(of_paper(R"({"compliance": 0.1})").at("stiffness") == "compliance");
 }
 
-TEST_CASE("defaults: an override that its stiffness does not use is an error", "[defaults]") {
+TEST_CASE("defaults: an override of a setting that the stiffness does not use is an error", "[defaults]") {
   const auto problem = [](const std::string& bending, const std::string& override_text) -> std::string {
     try {
-      const std::vector<std::string> one = {override_text};
-      parse_experiment(R"({"name": "t", "bending": )" + bending + "}", "test", one);
+      const std::vector<std::string> overrides = {override_text};
+      parse_experiment(R"({"name": "t", "bending": )" + bending + "}", "test", overrides);
     } catch (const ConfigError& error) {
       return error.what();
     }
@@ -141,7 +141,7 @@ TEST_CASE("defaults: an override that its stiffness does not use is an error", "
   CHECK(problem(R"({"stiffness": "k"})", "/bending/flexural_rigidity=null").empty());
 }
 
-TEST_CASE("defaults: whoever gives a number of a stiffness means that stiffness", "[defaults]") {
+TEST_CASE("defaults: a stated value selects the kind of stiffness that it belongs to", "[defaults]") {
   CHECK(bending(R"({"model": "k_ring", "k": 0.3})").at("stiffness") == "k");
   CHECK(bending(R"({"model": "k_ring", "compliance": 0.3})").at("stiffness") == "compliance");
   CHECK(bending(R"({"model": "k_ring", "quartic_coefficient": 1e-8})").at("stiffness") == "physical");
@@ -151,11 +151,12 @@ TEST_CASE("defaults: whoever gives a number of a stiffness means that stiffness"
                           R"({"compliance": 1, "flexural_rigidity": 1e-5})"}) {
     CAPTURE(two);
     CHECK_THAT(problem_of(R"({"name": "t", "bending": )" + std::string(two) + "}"),
-               ContainsSubstring("/bending/stiffness") && ContainsSubstring("say which of them counts"));
+               ContainsSubstring("/bending/stiffness") && ContainsSubstring("state which of them counts"));
   }
 }
 
-TEST_CASE("defaults: every model gets the same rigidity, springs at the same curvature", "[defaults]") {
+TEST_CASE("defaults: every model gets the same rigidity, and springs get it at the same curvature",
+          "[defaults]") {
   const Json hinges = bending(R"({"model": "dihedral"})"), springs = bending(R"({"model": "adaptive"})"),
              quartic = bending(R"({"model": "adaptive", "quartic_coefficient": 1e-8})");
   CHECK(hinges.at("flexural_rigidity") == 1e-5);
@@ -169,11 +170,11 @@ TEST_CASE("defaults: every model gets the same rigidity, springs at the same cur
       5.0);
 }
 
-TEST_CASE("defaults: with a method that does not project tethers do nothing, and obstacles are refused",
+TEST_CASE("defaults: with a method without projections, default tethers do nothing and obstacles are refused",
           "[defaults]") {
   const std::string membrane = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}})",
                     method = R"("solver": {"method": "equilibrium"})";
-  // They keep their place, so that /effects/1 is the same effect with any method.
+  // The tethers stay in the list, so /effects/1 is the same effect with any method.
   const RunConfig still =
       parse_experiment(R"({"name": "t", "effects": [{"type": "gravity"}, {"type": "tethers"}], )" + membrane +
                            ", " + method + "}",
@@ -186,7 +187,7 @@ TEST_CASE("defaults: with a method that does not project tethers do nothing, and
              ContainsSubstring("/effects/1") && ContainsSubstring("plane acts between iterations"));
 }
 
-TEST_CASE("defaults: reasons name settings and change nothing", "[defaults]") {
+TEST_CASE("defaults: /because must name existing settings, and changes no setting", "[defaults]") {
   const std::string start = R"({"name": "t", "because": )";
   CHECK(resolved(start + R"({"/solver/dt": "sixty frames a second", "/effects/0": "it hangs"}})") ==
         resolved(R"({"name": "t"})"));
@@ -195,7 +196,7 @@ TEST_CASE("defaults: reasons name settings and change nothing", "[defaults]") {
   CHECK_THAT(problem_of(start + R"(["x"]})"), ContainsSubstring("expected an object"));
 }
 
-TEST_CASE("defaults: a method that has no substeps takes one step at a time", "[defaults]") {
+TEST_CASE("defaults: a method without substeps takes one step at a time", "[defaults]") {
   const Experiment experiment = parse_experiment(
       R"({"name": "t", "mesh": {"cells": 4}, "solver": {"method": "equilibrium"},
           "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
@@ -205,7 +206,7 @@ TEST_CASE("defaults: a method that has no substeps takes one step at a time", "[
   CHECK(scene.input.settings.iterations == 1);
 }
 
-TEST_CASE("every recipe runs with every model, and a config's own method keeps its own settings",
+TEST_CASE("every recipe runs with every model, and a method stated in the config has its own defaults",
           "[experiments]") {
   const auto config = [](std::string_view recipe, std::string_view rest) {
     return parse_experiment(fmt::format(R"({{"name": "t", "defaults": "{}", "mesh": {{"cells": 3}},
@@ -227,11 +228,11 @@ TEST_CASE("every recipe runs with every model, and a config's own method keeps i
   CHECK(fast.scene().solver.iterations.value() == 2);
   CHECK(fast.scene().material.strain.membrane_stiffness == 1e4);
   const RunConfig other = config("fast", R"("solver": {"method": "newton"})");
-  CHECK(other.scene().solver.iterations.value() == 20);  // newton's own
+  CHECK(other.scene().solver.iterations.value() == 20);  // the default of newton
   CHECK(config("reference", R"("effects": [])").scene().solver.method.name() == "newton");
 }
 
-TEST_CASE("any method takes the default config by one word, with any model that it can have",
+TEST_CASE("the default config runs with any stated method and any model that this method supports",
           "[experiments]") {
   constexpr std::string_view text = R"({"name": "t", "mesh": {"cells": 3}, "duration": 0.1})";
   for (const MethodKind* method : methods())
@@ -239,7 +240,8 @@ TEST_CASE("any method takes the default config by one word, with any model that 
       CAPTURE(method->name, model->name);
       const std::array overrides = {"/solver/method=" + std::string(method->name),
                                     "/bending/model=" + std::string(model->name)};
-      // Springs alone, and forces that jump: the message says which word to change.
+      // Methods for springs alone, and models with forces that jump, are refused. The message says what to
+      // change.
       if ((method->springs_only && !model->springs_only && model->name != "none") ||
           (method->name == "quasi_newton" && model->one_sided)) {
         try {
@@ -255,7 +257,8 @@ TEST_CASE("any method takes the default config by one word, with any model that 
     }
 }
 
-TEST_CASE("what only projections take gets pbd with coarse levels, and nothing else does", "[defaults]") {
+TEST_CASE("settings that need projections select pbd with coarse levels, other settings do not",
+          "[defaults]") {
   const auto solver_of = [](const std::string& rest) {
     const Json run = resolved(R"({"name": "t", "mesh": {"cells": 3}, )" + rest + "}");
     return run.at("solver").at("method").get<std::string>() +

@@ -1,4 +1,4 @@
-// What a run's summary and its warning say of the solver's stiffness.
+// The effective stiffness of the solver in the summary and the warnings of a run.
 #include "experiments/measures/effective_stiffness.hpp"
 
 #include "tests/catch.hpp"
@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// Hinges of which each has the share `share`.
+// Hinges that all have the share `share`.
 EffectiveStiffness of_share(double share) {
   EffectiveStiffness stiffness;
   stiffness.hinges = {.applied = share, .stated = 1, .spent = share * share, .measured = 1, .rounding = 0};
@@ -20,7 +20,7 @@ EffectiveStiffness of_share(double share) {
 
 }  // namespace
 
-TEST_CASE("a summary has the share, and below a half the substeps that would mend it",
+TEST_CASE("a summary has the share, and if it is below a half also the substeps that would raise it",
           "[effective stiffness]") {
   CHECK(effective_stiffness_summary({}, 10).empty());
   const auto half = effective_stiffness_summary(of_share(0.6), 10);
@@ -28,11 +28,11 @@ TEST_CASE("a summary has the share, and below a half the substeps that would men
   CHECK_THAT(half.at("effective_bending_stiffness"), WithinRel(0.6, 1e-12));
   const auto soft = effective_stiffness_summary(of_share(0.04), 16);
   CHECK(soft.size() == 2);
-  // 1 / share - 1 falls from 24 to 1/9 at least as (16 / N)^1.5: 576, and with one digit 600.
+  // 1 / share - 1 falls from 24 to 1/9 at least like (16 / N)^1.5. This gives N = 576, rounded to 600.
   CHECK(soft.at("substeps_for_90_percent_bending") == 600);
 }
 
-TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where it has it",
+TEST_CASE("substeps for 90 % grow as the share falls, and equal the present number if the share is 90 %",
           "[effective stiffness]") {
   CHECK(substeps_for_90_percent(0.95, 7) == 7);
   double last = 0;
@@ -43,7 +43,7 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
   CHECK(last > 100);
 }
 
-TEST_CASE("a membrane that is soft is warned of only if it stretches", "[effective stiffness]") {
+TEST_CASE("a soft membrane gives a warning only if it stretches", "[effective stiffness]") {
   std::map<std::string, double> summary = {{"effective_membrane_stiffness", 0.2},
                                            {"substeps_for_90_percent_membrane", 80},
                                            {"mean_strain", 0.005}};
@@ -55,7 +55,7 @@ TEST_CASE("a membrane that is soft is warned of only if it stretches", "[effecti
   CHECK(soft_solver_warning(summary));
 }
 
-TEST_CASE("a run that is less than half as stiff as stated gets a warning with the numbers",
+TEST_CASE("a run that is less than half as stiff as stated gets a warning with share and substeps",
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
   CHECK(!soft_solver_warning(effective_stiffness_summary(of_share(0.51), 10)));
@@ -67,19 +67,19 @@ TEST_CASE("a run that is less than half as stiff as stated gets a warning with t
   CHECK(share_text(soft->share) == "4 %");
 }
 
-TEST_CASE("an estimate below its range says so", "[effective stiffness]") {
+TEST_CASE("the warning states that an estimate is below its reliable range", "[effective stiffness]") {
   const auto soft = soft_solver_warning(effective_stiffness_summary(of_share(0), 16));
   REQUIRE(soft);
   CHECK_THAT(soft->message, ContainsSubstring("less than 1 % of the bending stiffness") &&
-                                ContainsSubstring("below its range"));
+                                ContainsSubstring("below its reliable range"));
   CHECK(share_text(0) == "< 1 %");
   CHECK(share_text(0.0099) == "< 1 %");
   CHECK(share_text(0.01) == "1 %");
 }
 
-// Levels carry stretch past the constraints, but no bending. The strip's H/W is that without them, so that
-// the share of its rigidity is, too.
-TEST_CASE("with coarse levels the share of bending is known, and that of the membrane is not",
+// Coarse levels reduce stretch besides the constraints, but do not act on bending. The strip's H/W is the
+// same without them, so the share of its rigidity is the same, too.
+TEST_CASE("with coarse levels the share of bending is known, but not the share of the membrane",
           "[effective stiffness]") {
   test::Workplace place;
   place.write("strip.json",

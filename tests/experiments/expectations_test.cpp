@@ -37,7 +37,7 @@ std::vector<ExpectationResult> results(const Experiment& experiment, std::size_t
 
 }  // namespace
 
-TEST_CASE("expect: bounds are inclusive, either or both may be given") {
+TEST_CASE("expect: bounds are inclusive, and min, max or both may be stated") {
   const Experiment experiment =
       with_expect(R"([{"metric": "drop", "min": 1, "max": 2, "why": "length of the sheet"},
                                                 {"metric": "drop", "max": 1.5, "why": "w"},
@@ -58,16 +58,17 @@ TEST_CASE("expect: bounds are inclusive, either or both may be given") {
   CHECK(result.message == "drop = 1.25, expected at least 1 and at most 2: length of the sheet");
 }
 
-TEST_CASE("expect: an unknown metric fails, names the nearest, and says where all are") {
+TEST_CASE(
+    "expect: an unknown metric fails, and the message names the nearest metric and where all are listed") {
   const ExpectationResult result =
       results(with_expect(R"([{"metric": "dropp", "min": 0, "why": "w"}])"), 0, 1).at(0);
   CHECK_FALSE(result.holds);
   CHECK_FALSE(result.measured.has_value());
-  CHECK_THAT(result.message,
-             ContainsSubstring("did you mean 'drop'?") && ContainsSubstring("`show` lists those of a run"));
+  CHECK_THAT(result.message, ContainsSubstring("did you mean 'drop'?") &&
+                                 ContainsSubstring("`bendlab show` lists the metrics of a run"));
 }
 
-TEST_CASE("expect: where picks runs by their values") {
+TEST_CASE("expect: `where` selects runs by their values") {
   const Experiment experiment = with_expect(
       R"([{"metric": "drop", "min": 0, "why": "w",
            "where": {"/bending/model": "adaptive", "/mesh/cells": 32.0}},
@@ -76,7 +77,7 @@ TEST_CASE("expect: where picks runs by their values") {
           {"metric": "drop", "min": 0, "why": "w"}])",
       R"("sweep": {"/bending/model": ["none", "adaptive"], "/mesh/cells": [16, 32]},)");
   REQUIRE(experiment.runs.size() == 4);
-  CHECK(results(experiment, 0, 1).size() == 2);  // none: has no m_min
+  CHECK(results(experiment, 0, 1).size() == 2);  // model none, which has no m_min
   CHECK(results(experiment, 1, 1).size() == 2);
   CHECK(results(experiment, 2, 1).size() == 3);  // adaptive at 16
   CHECK(results(experiment, 3, 1).size() == 4);  // adaptive at 32

@@ -1,6 +1,6 @@
-// A run for other programs: what is written is compared with the run file by readers that are not the
-// program's (tests/export/exported.py: h5py, Python's csv, a strict parser of USD's text), and byte by byte
-// with the format where it is short.
+// Export of runs for other programs. Independent readers compare the exported files with the run file
+// (tests/export/exported.py: h5py, Python's csv, a strict parser of USD's text). Short formats are also
+// compared byte by byte.
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Every kind of obstacle that settings alone describe; two of them move. 7 frames.
+// Every kind of obstacle that needs no file. Two of them move. 7 frames.
 constexpr const char* scene = R"({"name": "scene", "duration": 0.2, "allow": ["implausible"],
   "mesh": {"generator": "grid", "width": 1, "height": 0.8, "cells": 4, "diagonal": "alternating"},
   "pins": {"vertices": ["upper_left"], "ring": 0},
@@ -38,7 +38,7 @@ constexpr const char* scene = R"({"name": "scene", "duration": 0.2, "allow": ["i
      "velocity": [0, 0, 0.2]},
     {"type": "plane", "point": [0, 0, -0.8], "normal": [0, 0, 2]}]})";
 
-/// A run of a config, to be exported.
+/// A folder with a run of a config, ready for export.
 class ExportedPlace : public Workplace {
  public:
   explicit ExportedPlace(const std::string& config = scene) {
@@ -51,7 +51,7 @@ class ExportedPlace : public Workplace {
     return run("export '" + run_file.string() + "' " + arguments);
   }
 
-  /// What exported.py says is wrong; nothing if all is right.
+  /// The differences that exported.py reports; empty if all is right.
   std::string differences(const std::string& arguments) const {
     const std::string command = "cd '" + folder.string() + "' && " + places::python + " " + places::source +
                                 "/tests/export/exported.py '" + run_file.string() + "' " + arguments +
@@ -66,7 +66,7 @@ class ExportedPlace : public Workplace {
   fs::path run_file;
 };
 
-/// A number as it lies in a file.
+/// The number at this offset of a file.
 template <class Number>
 Number number_at(const std::string& bytes, std::size_t offset) {
   Number number;
@@ -75,7 +75,7 @@ Number number_at(const std::string& bytes, std::size_t offset) {
   return number;
 }
 
-TEST_CASE("Every format has what the run file has", "[export]") {
+TEST_CASE("The files of every format agree with the run file", "[export]") {
   ExportedPlace here;
   for (const char* format : {"csv", "obj", "ply", "pc2", "usda"}) {
     const std::string name = format;
@@ -95,7 +95,7 @@ TEST_CASE("Every format has what the run file has", "[export]") {
   }
 }
 
-TEST_CASE("A run in double precision keeps its digits where the format has room for them", "[export]") {
+TEST_CASE("A run in double precision keeps its digits in formats with double precision", "[export]") {
   ExportedPlace here(R"({"name": "wide", "duration": 0.1, "mesh": {"cells": 3},
                          "solver": {"precision": "double"}})");
   REQUIRE(here.exported("--format obj --to wide.obj --frames 3") == 0);
@@ -107,11 +107,11 @@ TEST_CASE("A run in double precision keeps its digits where the format has room 
     largest = std::max(largest, std::abs(soup.points[i / 3][i % 3] - positions[i]));
     narrow = std::max(narrow, std::abs(static_cast<double>(static_cast<float>(positions[i])) - positions[i]));
   }
-  CHECK(narrow > 1e-10);  // floats would have lost something
+  CHECK(narrow > 1e-10);  // floats have lost digits
   CHECK(largest == 0);    // both the writer and the reader round to the nearest double
 }
 
-TEST_CASE("A PC2 file has the header of its specification", "[export]") {
+TEST_CASE("A PC2 file has the header that its specification demands", "[export]") {
   ExportedPlace here;
   REQUIRE(here.exported("--format pc2 --to cloth.pc2 --frames 2:6:2") == 0);
   const std::string bytes = test::read(here.folder / "cloth.pc2");
@@ -124,7 +124,7 @@ TEST_CASE("A PC2 file has the header of its specification", "[export]") {
   CHECK(bytes.size() == 32 + 3 * 20 * 12);
 }
 
-TEST_CASE("The mesh readers take exported OBJ and PLY without complaint", "[export]") {
+TEST_CASE("The mesh readers accept exported OBJ and PLY", "[export]") {
   ExportedPlace here;
   for (const char* format : {"obj", "ply"}) {
     const std::string name = format;
@@ -141,8 +141,7 @@ TEST_CASE("The mesh readers take exported OBJ and PLY without complaint", "[expo
   CHECK(soup.texture_coordinates.size() == 3 * soup.triangles.size());
 }
 
-// Twice the volume below a triangle, with its sign, summed: 6 V of a closed surface whose normals point
-// outward.
+// The volume of a closed surface whose normals point outwards, by the signed volumes below its triangles.
 double volume_of(const Surface& surface) {
   double six = 0;
   for (const auto& t : surface.triangles.rowwise())
@@ -150,7 +149,8 @@ double volume_of(const Surface& surface) {
   return six / 6;
 }
 
-TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of their shape", "[export]") {
+TEST_CASE("Exported obstacles are closed surfaces with normals outwards and the volume of their shape",
+          "[export]") {
   const Sphere ball{.radius = 0.5};
   const Capsule pill{.a = {1, 2, 3}, .b = {1, 5, 7}, .radius = 0.5};
   const Disc table{.axis = {0, 3, 4}, .radius = 1.25, .height = 0.5};
@@ -159,7 +159,7 @@ TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of 
   REQUIRE(surfaces.size() == 4);
   CHECK(notes.empty());
   constexpr double pi = 3.14159265358979323846, r = 0.25, flat = 1;
-  // Of the disc: a cylinder and half a torus around it, by Pappus.
+  // The disc is a cylinder with half a torus around it; its volume follows from Pappus.
   const double volumes[] = {pi / 6, pi / 6 + pi / 4 * 5,
                             pi * flat * flat * 2 * r + 2 * pi * (flat + 4 * r / (3 * pi)) * pi * r * r / 2,
                             pi / 6};
@@ -168,11 +168,11 @@ TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of 
     INFO(names[i]);
     CHECK(surfaces[i].name == names[i]);
     CHECK_THAT(volume_of(surfaces[i]), Catch::Matchers::WithinRel(volumes[i], 2e-3));
-    CHECK(volume_of(surfaces[i]) < volumes[i]);  // its corners lie on the shape
+    CHECK(volume_of(surfaces[i]) < volumes[i]);  // inscribed: its corners lie on the shape
   }
 }
 
-TEST_CASE("Every obstacle that there is is exported", "[export]") {
+TEST_CASE("Every registered obstacle can be exported", "[export]") {
   for (const EffectKind* effect : effects()) {
     if (!effect->is_obstacle()) continue;
     INFO(effect->name);
@@ -205,8 +205,9 @@ TEST_CASE("A mesh obstacle comes from the run file, scaled and moved", "[export]
   CHECK(soup.triangles.size() == 4);
 }
 
-TEST_CASE("A mesh file's texture coordinates go with it; PLY leaves out those of a seam", "[export]") {
-  // Two triangles that share an edge, whose ends have other coordinates in the second one.
+TEST_CASE("Texture coordinates of a mesh file are exported, except to PLY if they have a seam", "[export]") {
+  // Two triangles share an edge. With a seam the ends of this edge have other coordinates in the second
+  // triangle.
   const std::string cloth =
       "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 0.25 0\nvt 0.25 0.5\nvt 0.75 0.5\nvt 0.5 0.5\nvt 0.5 "
       "0\nf "
@@ -228,28 +229,28 @@ TEST_CASE("A mesh file's texture coordinates go with it; PLY leaves out those of
   CHECK_THAT(test::read(here.folder / "out.usda"), ContainsSubstring("interpolation = \"faceVarying\""));
 }
 
-TEST_CASE("Without a choice the export lies beside the run file", "[export]") {
+TEST_CASE("Without --to the export is beside the run file", "[export]") {
   ExportedPlace here;
   const std::string id = here.run_file.parent_path().filename();
-  REQUIRE(here.run("export results/scene --format ply --json") == 0);  // found like `show` finds it
-  const json told = here.out_lines().at(0);
+  REQUIRE(here.run("export results/scene --format ply --json") == 0);  // the run is named like for `show`
+  const json result = here.out_lines().at(0);
   const fs::path to = here.run_file.parent_path() / "export/ply";
   std::uint64_t bytes = 0, files = 0;
   for (const auto& entry : fs::directory_iterator(to)) bytes += entry.file_size(), ++files;
-  CHECK(files == 3 * 7 + 3);  // cloth, a sphere and the disc in 7 frames; the others
-  CHECK(told.at("files") == files);
-  CHECK(told.at("bytes") == bytes);
-  CHECK(fs::equivalent(here.folder / told.at("to").get<std::string>(), to));
-  CHECK(told.at("frames") == 7);
-  CHECK(told.at("format") == "ply");
-  CHECK(told.at("surfaces").size() == 6);
+  CHECK(files == 3 * 7 + 3);  // cloth, a sphere and the disc move in 7 frames; three obstacles do not
+  CHECK(result.at("files") == files);
+  CHECK(result.at("bytes") == bytes);
+  CHECK(fs::equivalent(here.folder / result.at("to").get<std::string>(), to));
+  CHECK(result.at("frames") == 7);
+  CHECK(result.at("format") == "ply");
+  CHECK(result.at("surfaces").size() == 6);
   REQUIRE(here.run("export " + id + " --format usda") == 0);
   CHECK_THAT(here.out(), ContainsSubstring("export/usda: 1 file, ") && ContainsSubstring("7 frames: 0 to 6"));
-  CHECK(here.run("list --json") == 0);  // an export is no run
+  CHECK(here.run("list --json") == 0);  // `list` ignores the export
   CHECK(here.out_lines().size() == 1);
 }
 
-TEST_CASE("An export replaces nothing unless it is told to", "[export]") {
+TEST_CASE("An export replaces existing files only with --force", "[export]") {
   ExportedPlace here;
   REQUIRE(here.exported("--format obj --to film") == 0);
   const std::size_t all = here.file_count("film");
@@ -257,7 +258,7 @@ TEST_CASE("An export replaces nothing unless it is told to", "[export]") {
   CHECK(here.exported("--format obj --to film") == 2);
   CHECK_THAT(here.err(), ContainsSubstring("film: is a folder that is not empty; --force"));
   CHECK(here.exported("--format obj --to film --frames 2:3 --force") == 0);
-  CHECK(here.file_count("film") == all + 1 - 3 * 5);  // the other frames of three sequences are gone
+  CHECK(here.file_count("film") == all + 1 - 3 * 5);  // other frames of three sequences were removed
   CHECK(test::read(here.folder / "film/notes.txt") == "mine");
   CHECK(fs::exists(here.folder / "film/cloth.0002.obj"));
   CHECK_FALSE(fs::exists(here.folder / "film/cloth.0001.obj"));
@@ -272,13 +273,13 @@ TEST_CASE("An export replaces nothing unless it is told to", "[export]") {
   CHECK(here.exported("--format usda --to cloth.usda --force") == 0);
   CHECK(here.differences("usda cloth.usda") == "");
 
-  here.write("cloth_plane.obj", "mine");  // a companion of what --to names
+  here.write("cloth_plane.obj", "mine");  // a file that would be written beside the file of --to
   CHECK(here.exported("--format obj --to cloth.obj --frames 0") == 2);
   CHECK(test::read(here.folder / "cloth_plane.obj") == "mine");
   CHECK_FALSE(fs::exists(here.folder / "cloth.obj"));
 }
 
-TEST_CASE("Bad arguments of export exit with 2 and say what is allowed", "[export]") {
+TEST_CASE("Bad arguments of export exit with 2 and the message says what is allowed", "[export]") {
   ExportedPlace here;
   const auto [arguments, message] = GENERATE(table<std::string, std::string>({
       {"", "--format is required"},
@@ -292,7 +293,7 @@ TEST_CASE("Bad arguments of export exit with 2 and say what is allowed", "[expor
       {"--format obj --frames x", "'x' names no frames"},
       {"--format obj --up x", "--up"},
       {"--format obj --to a.obj", "a file for each of the 7 frames"},
-      {"--format csv --to a.csv", "csv is several files; name a folder"},
+      {"--format csv --to a.csv", "csv writes several files; name a folder"},
       {"--format usda --to a.obj", "a file of another format than usda"},
       {"--format usda --to scene.json", "is a file, but its extension is not .usda"},
       {"--format usda --to folder.usda", "is a folder"},
@@ -302,10 +303,10 @@ TEST_CASE("Bad arguments of export exit with 2 and say what is allowed", "[expor
   CHECK(here.exported(arguments) == 2);
   CHECK_THAT(here.err(), ContainsSubstring(message));
   CHECK(here.out().empty());
-  CHECK(here.file_count(".") == 5);  // config, results, folder.usda, stdout, stderr: nothing else
+  CHECK(here.file_count(".") == 5);  // only config, results, folder.usda, stdout and stderr
 }
 
-TEST_CASE("A file or a folder that cannot be written exits with 5 and leaves nothing", "[export]") {
+TEST_CASE("If a file or a folder cannot be written, export exits with 5 and leaves no file", "[export]") {
   ExportedPlace here;
   CHECK(here.exported("--format obj --to scene.json/out") == 5);
   CHECK_THAT(here.err(), ContainsSubstring("scene.json/out: the folder can't be made"));
@@ -323,7 +324,7 @@ TEST_CASE("A file or a folder that cannot be written exits with 5 and leaves not
   CHECK(here.run("export run.vtkhdf --format csv") == 5);
 }
 
-TEST_CASE("An export that is stopped leaves nothing", "[export]") {
+TEST_CASE("An export that is stopped leaves no file", "[export]") {
   ExportedPlace here;
   const RunRecord record = read_run(here.run_file);
   const std::atomic<bool> stop = true;
@@ -335,7 +336,7 @@ TEST_CASE("An export that is stopped leaves nothing", "[export]") {
   }
 }
 
-TEST_CASE("An unfinished run is exported as far as it is", "[export]") {
+TEST_CASE("An unfinished run is exported up to its last frame", "[export]") {
   Workplace here;
   {
     RunFileWriter writer(here.folder / "run.vtkhdf", {.id = "0123",
@@ -352,8 +353,8 @@ TEST_CASE("An unfinished run is exported as far as it is", "[export]") {
   CHECK(read_polygon_soup(here.folder / "cut/cloth.0001.obj").points[1] == std::array<double, 3>{1, 0, -1});
 }
 
-TEST_CASE("Formats without times say when frames are not evenly spaced", "[export]") {
-  // 0.1 s are 3 frames at 30 per second; the last frame, at the end, comes half a frame later.
+TEST_CASE("Formats without times give a warning if frames are not evenly spaced", "[export]") {
+  // 0.1 s are 3 frames at 30 per second. The last frame, at the end of the run, comes half a frame later.
   ExportedPlace here(R"({"name": "uneven", "duration": 0.1166666666666667, "mesh": {"cells": 2},
                          "solver": {"dt": 0.016666666666666666}})");
   REQUIRE(here.exported("--format ply --to ply") == 0);
@@ -365,7 +366,7 @@ TEST_CASE("Formats without times say when frames are not evenly spaced", "[expor
   CHECK_THAT(test::read(here.folder / "usda/cloth.usda"), ContainsSubstring("endTimeCode = 3.5"));
 }
 
-TEST_CASE("Gravity along -y makes y the axis that is up", "[export]") {
+TEST_CASE("With gravity along -y, y is the up axis of the export", "[export]") {
   ExportedPlace here(R"({"name": "up", "duration": 0.1, "mesh": {"cells": 2},
                          "effects": [{"type": "gravity", "acceleration": [0, -9.81, 0]}]})");
   REQUIRE(here.exported("--format usda --to up.usda") == 0);
@@ -381,7 +382,7 @@ TEST_CASE("Gravity along -y makes y the axis that is up", "[export]") {
   }
 }
 
-TEST_CASE("CSV quotes what has to be quoted", "[export]") {
+TEST_CASE("CSV quotes fields that need quotes", "[export]") {
   Workplace here;
   RunFileWriter writer(here.folder / "odd.vtkhdf",
                        {.id = "0123",
@@ -400,7 +401,7 @@ TEST_CASE("CSV quotes what has to be quoted", "[export]") {
         "name,value,unit,meaning\ntenth,0.1,,\nundefined,,,\n");
   CHECK_THAT(test::read(here.folder / "csv/columns.csv"),
              ContainsSubstring("\"a,b\",m,\"says \"\"so\"\"\"\nnone,1,\"two\nlines\"\n"));
-  // Its config has no settings: the rest is exported all the same.
+  // The config of this run has no settings. Everything else is exported nevertheless.
   REQUIRE(here.run("export odd.vtkhdf --format usda --to odd.usda") == 0);
 }
 

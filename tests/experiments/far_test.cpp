@@ -1,5 +1,5 @@
-// Sheets far from the origin of their coordinates, as surveys have them (UTM: millions of metres): whoever
-// reads frames sees their edges as long as they are.
+// Sheets far from the origin of their coordinates, like in surveys (UTM: millions of metres). Readers of
+// frames get edges of the right length.
 #include <filesystem>
 #include <string>
 
@@ -20,11 +20,11 @@ std::string config(const std::string& mesh, const std::string& more = "") {
          more + "}";
 }
 
-// A round number of metres, and one with the digits that a survey has.
+// A round number of metres, and numbers with the digits of a survey.
 constexpr const char* places[] = {R"("offset": [1e6, 0, 0])", R"("offset": [450123.75, 5412345.5, 318.25])",
                                   R"("offset": [-1e7, 1e7, 1e7])"};
 
-/// What tests/export/edges.py says of the run and its exports; nothing if all edges are right.
+/// The output of tests/export/edges.py for the run and its exports; empty if all edges are right.
 std::string wrong_edges(const Workplace& here, const std::string& run, const std::string& tolerance,
                         const std::string& files) {
   const std::string command = "cd '" + here.folder.string() + "' && " + places::python + " " +
@@ -33,7 +33,7 @@ std::string wrong_edges(const Workplace& here, const std::string& run, const std
   return std::system(command.c_str()) == 0 ? test::read(here.folder / "wrong") : "no shell";
 }
 
-TEST_CASE("Far from the origin a run file and its exports have the mesh's edges", "[far]") {
+TEST_CASE("Far from the origin a run file and its exports have the edges of the mesh", "[far]") {
   for (const char* place : places) {
     INFO(place);
     Workplace here;
@@ -44,8 +44,8 @@ TEST_CASE("Far from the origin a run file and its exports have the mesh's edges"
     for (const char* to : {"obj --to b.obj --frames 0", "ply --to a.ply --frames 0", "pc2 --to a.pc2",
                            "usda --to a.usda", "xdmf --to a.xdmf"})
       REQUIRE(here.run("export '" + run.string() + "' --format " + to) == 0);
-    // The solver is in single precision, relative to the middle: half of its last digit at half a metre is
-    // 3e-8 m, an edge 1/64 m.
+    // The solver is in single precision, relative to the middle. Half of its last digit at half a metre is
+    // 3e-8 m, and edges are 1/64 m long.
     CHECK(wrong_edges(here, run.string(), "1e-5", "a.ply b.obj a.pc2 a.obj a.usda") == "");
     CHECK_THAT(test::read(here.folder / "a.obj"), ContainsSubstring("# origin "));  // beside the cache
     CHECK_THAT(test::read(here.folder / "a.xdmf"), ContainsSubstring("Precision=\"8\""));
@@ -64,14 +64,14 @@ TEST_CASE("Near the origin files keep single precision", "[far]") {
   CHECK_THAT(test::read(here.folder / "a.usda"), !ContainsSubstring("xformOp"));
 }
 
-TEST_CASE("Far from the origin a run is repeated, compared and gone on from", "[far]") {
+TEST_CASE("Far from the origin runs can be repeated, compared, and used as a start", "[far]") {
   Workplace here;
   const std::string mesh = std::string(R"("cells": 8, )") + places[1];
   here.write("far.json", config(mesh, R"(, "sweep": {"/material/density": [0.2]})"));
   REQUIRE(here.run("run far.json") == 0);
   const std::string run = here.run_files(".vtkhdf").at(0).string();
   CHECK(here.run("rerun '" + run + "'") == 0);
-  // A reference that records more has the same bits, and a start after it begins at its last pose.
+  // A reference that records more data has the same bits. A start after a run begins at its last pose.
   here.write("error.json", config(mesh, R"(, "accuracy": {"solver": ["/output/constraints=true"]})"));
   REQUIRE(here.run("run error.json --json") == 0);
   // 10⁻¹⁶ of a coordinate of 5·10⁶ m is 10⁻⁹ m.
@@ -82,14 +82,14 @@ TEST_CASE("Far from the origin a run is repeated, compared and gone on from", "[
   const std::string after = (here.folder / here.out_lines().at(0).at("file").get<std::string>()).string();
   const std::vector<double> end = read_positions(run, -1), start = read_positions(after, 0);
   REQUIRE(end.size() == start.size());
-  // Both are in double; the solver rounds them relative to the middle.
+  // Both files have double precision. The solver rounds positions relative to the middle.
   double largest = 0;
   for (std::size_t i = 0; i < end.size(); ++i) largest = std::max(largest, std::abs(end[i] - start[i]));
   CHECK(largest < 2e-7);
 }
 
-TEST_CASE("A corner of a sheet that stands is the upper one", "[far]") {
-  // In the plane y = 0 by `tilt` of the file; rows from below, and then from above.
+TEST_CASE("The upper corner of a standing sheet is its highest corner", "[far]") {
+  // The sheet stands in the plane y = 0. Its rows are numbered from below, and then from above.
   const auto sheet = [](bool from_above) {
     std::string text;
     for (int row = 0; row <= 4; ++row)
@@ -118,7 +118,7 @@ TEST_CASE("A corner of a sheet that stands is the upper one", "[far]") {
   }
 }
 
-TEST_CASE("Names are refused where nobody knows which way is up", "[far]") {
+TEST_CASE("Names of places are refused if the up direction is ambiguous", "[far]") {
   Workplace here;
   here.write("sheet.obj", "v 0 0 0\nv 0 1 0\nv 0 1 1\nv 0 0 1\nf 1 2 3 4\n");
   here.write("side.json", R"({"name": "side", "duration": 0.1, "mesh": {"file": "sheet.obj"},

@@ -1,4 +1,5 @@
-// A sheet that starts folded: layers where they should be, as long as at rest, nothing crossed.
+// A sheet that starts folded: its layers are in the right place, have their rest length, and do not
+// intersect.
 #include "bendlab/mesh/self_intersections.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/config/experiment.hpp"
@@ -28,7 +29,7 @@ TEST_CASE("a folded sheet lies in layers, unstretched and without intersections"
   CHECK(self_intersections(folded, scene.rest.triangles()).empty());
   const double height = folded.col(2).maxCoeff() - folded.col(2).minCoeff();
   CHECK_THAT(height, WithinAbs(4 * gap, 1e-12));
-  // A chord of an edge's length on a circle of diameter 2.56 edges: sin(x) / x with x = 1 / 2.56.
+  // An edge on a circle with a diameter of 2.56 edges is a chord: shorter by sin(x) / x with x = 1 / 2.56.
   const double shortest = std::sin(1 / 2.56) * 2.56;
   const Edges& edges = scene.rest.edges();
   for (Eigen::Index e = 0; e < edges.rows(); ++e) {
@@ -38,7 +39,8 @@ TEST_CASE("a folded sheet lies in layers, unstretched and without intersections"
     CHECK(now >= rest * (shortest - 1e-12));
   }
   CHECK(folded_scene(R"({"folds": 0})").input.positions == scene.rest.positions());
-  CHECK_THROWS_AS(folded_scene(R"({"folds": 4, "fold_gap": 0.2})"), ConfigError);  // turns of 1.26 m
+  CHECK_THROWS_AS(folded_scene(R"({"folds": 4, "fold_gap": 0.2})"),
+                  ConfigError);  // the turns would be 1.26 m long
 }
 
 }  // namespace bendlab

@@ -1,5 +1,5 @@
-// What is expected of a mesh and of its constraints, against the mesh and the constraints themselves. Memory
-// and disk of whole runs: tests/trust/forecast.py.
+// The forecast of the size of a mesh and its constraints, compared with the built mesh and constraints. For
+// memory and disk of whole runs see tests/trust/forecast.py.
 #include "experiments/run/forecast.hpp"
 
 #include <fmt/format.h>
@@ -26,14 +26,14 @@ RunConfig config_of(const std::string& mesh, const std::string& bending) {
       .runs.front();
 }
 
-// |a - b| relative to b.
+// The relative difference |a - b| / b.
 double off(double a, double b) {
   return std::abs(a - b) / b;
 }
 
 }  // namespace
 
-TEST_CASE("forecast: a patch of a mesh tells the size of the whole") {
+TEST_CASE("forecast: the size of a mesh follows from a patch") {
   const std::string mesh = GENERATE(
       R"("cells": 201)", R"("cells": 400, "width": 2, "height": 0.5)", R"("cells": 300, "height": 0.02)",
       R"("cells": 200, "diagonal": "alternating")", R"("cells": 150, "diagonal": "both")",
@@ -56,7 +56,7 @@ TEST_CASE("forecast: a patch of a mesh tells the size of the whole") {
   CHECK(off(size->size, rest.size()) < 0.05);
 }
 
-TEST_CASE("forecast: of every model the constraints that are expected are near those that it builds") {
+TEST_CASE("forecast: the expected number of constraints of every model is near the built number") {
   const std::string bending = GENERATE(
       R"("model": "none")", R"("model": "crossover")", R"("model": "k_ring")",
       R"("model": "k_ring", "k_ring": {"k": 4})", R"("model": "k_ring", "k_ring": {"k": 4, "rings": "last"})",
@@ -80,10 +80,10 @@ TEST_CASE("forecast: of every model the constraints that are expected are near t
   const auto needs = forecast(config);
   REQUIRE(needs);
   CHECK((built > 0) == (needs->constraints > 0));
-  if (built > 0) CHECK(off(needs->constraints, built) < 0.12);  // memory has to be within 0.2
+  if (built > 0) CHECK(off(needs->constraints, built) < 0.12);  // the forecast of memory must be within 0.2
 }
 
-TEST_CASE("forecast: a patch of a mesh tells the constraints of the whole, with the levels of the whole") {
+TEST_CASE("forecast: the number of constraints follows from a patch with the LOD levels of the whole mesh") {
   const std::string bending =
       GENERATE(R"("model": "k_ring", "k_ring": {"k": 4})", R"("model": "adaptive")",
                R"("model": "adaptive", "adaptive": {"radius": 0.05})", R"("model": "lod")",
@@ -98,10 +98,10 @@ TEST_CASE("forecast: a patch of a mesh tells the constraints of the whole, with 
             static_cast<double>(scene.input.distance.size() + element_count(scene.input.elements))) < 0.05);
 }
 
-TEST_CASE("forecast: of a mesh file it is that of the same mesh made by a generator") {
+TEST_CASE("forecast: a mesh file has the same forecast as the generator of this mesh") {
   Workplace place;
-  const RunConfig made = config_of(R"("cells": 24)", R"("model": "adaptive")");
-  const RestMesh rest(rest_mesh_of(made.scene().mesh, made.folder()).mesh);
+  const RunConfig generated = config_of(R"("cells": 24)", R"("model": "adaptive")");
+  const RestMesh rest(rest_mesh_of(generated.scene().mesh, generated.folder()).mesh);
   std::string obj;
   for (int v = 0; v < rest.vertex_count(); ++v)
     obj += fmt::format("v {} {} {}\n", rest.position(v).x(), rest.position(v).y(), rest.position(v).z());
@@ -111,14 +111,14 @@ TEST_CASE("forecast: of a mesh file it is that of the same mesh made by a genera
   place.write("sheet.obj", obj);
   const RunConfig read = config_of(fmt::format(R"("file": "{}")", (place.folder / "sheet.obj").string()),
                                    R"("model": "adaptive")");
-  const auto one = forecast(made), other = forecast(read);
-  REQUIRE((one && other));
-  CHECK(off(other->constraints, one->constraints) < 0.1);
-  CHECK(off(other->memory_bytes, one->memory_bytes) < 0.1);
+  const auto by_generator = forecast(generated), by_file = forecast(read);
+  REQUIRE((by_generator && by_file));
+  CHECK(off(by_file->constraints, by_generator->constraints) < 0.1);
+  CHECK(off(by_file->memory_bytes, by_generator->memory_bytes) < 0.1);
   CHECK(!forecast(config_of(R"("file": "/nowhere/sheet.obj")", "")));
 }
 
-TEST_CASE("forecast: a run that no machine has room for is refused before it begins") {
+TEST_CASE("forecast: a run that needs more memory than any machine has is refused before it starts") {
   Workplace place;
   const Experiment experiment = parse_experiment(
       R"({"name": "huge", "duration": 0.1, "mesh": {"cells": 4096}, "bending": {"model": "adaptive"}})",
@@ -132,7 +132,7 @@ TEST_CASE("forecast: a run that no machine has room for is refused before it beg
                     Catch::Matchers::ContainsSubstring("/output/frames_per_second"));
 }
 
-TEST_CASE("forecast: numbers are printed for people") {
+TEST_CASE("forecast: numbers are printed with readable units") {
   CHECK(bytes_text(0) == "0 bytes");
   CHECK(bytes_text(1.234e9) == "1.23 GB");
   CHECK(bytes_text(999.9e6) == "1 GB");
@@ -141,7 +141,7 @@ TEST_CASE("forecast: numbers are printed for people") {
   CHECK(duration_text(9000) == "2.5 h");
 }
 
-TEST_CASE("forecast: files that the system keeps in memory leave room in a control group") {
+TEST_CASE("forecast: in a control group, memory of cached files counts as free") {
   Workplace place;
   CHECK(std::isinf(left_in_group(place.folder)));
   place.write("memory.max", "max\n");

@@ -1,5 +1,5 @@
-// Coulomb's law on an incline, where every method that takes friction should agree with it: a free sheet lies
-// on a plane, and gravity is tilted by 30 degrees.
+// Coulomb's law on an incline, for every method that supports friction. A free sheet lies on a plane, and
+// gravity is tilted by 30 degrees.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -17,10 +17,10 @@ namespace {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-constexpr double down = 4.905, into = 8.4957;  // m/s², along the plane and into it
+constexpr double down = 4.905, into = 8.4957;  // m/s²: gravity along the plane and into the plane
 constexpr double duration = 1, dt = 1.0 / 60;  // s
 
-// How far the sheet went along the plane, m.
+// How far the sheet moves along the plane, m.
 double way(const std::string& solver, const std::string& effects, double along = down) {
   const Experiment experiment = parse_experiment(
       fmt::format(
@@ -35,7 +35,7 @@ double way(const std::string& solver, const std::string& effects, double along =
   const Eigen::RowVector3d start = simulation->positions().colwise().mean();
   for (int step = 0; step < std::lround(duration / dt); ++step) REQUIRE(simulation->step());
   CHECK((simulation->positions().col(2).array() - start.z()).abs().maxCoeff() <
-        1e-4);  // it stays on the plane
+        1e-4);  // the sheet stays on the plane
   return simulation->positions().col(0).mean() - start.x();
 }
 
@@ -46,7 +46,7 @@ std::string friction(double coefficient) {
   return friction(coefficient, coefficient);
 }
 
-// The mean velocity of a sheet after some time, m/s; `scene` are settings of its config.
+// The mean velocity of a sheet after `time`, m/s. `scene` holds settings of its config.
 Eigen::RowVector3d drift(const std::string& solver, const std::string& scene, double time) {
   const Experiment experiment = parse_experiment(
       fmt::format(R"({{"name": "landing", "defaults": "paper", "duration": 9, "pins": {{"vertices": []}},
@@ -62,7 +62,7 @@ Eigen::RowVector3d drift(const std::string& solver, const std::string& scene, do
   return mass.transpose() * simulation->velocities() / mass.sum();
 }
 
-// Σ a h² k over the n substeps of first order: ½ a t² (1 + 1/n).
+// The way after n substeps of a method of first order, Σ a h² k = ½ a t² (1 + 1/n), m.
 double slid(double acceleration, int substeps) {
   return 0.5 * acceleration * duration * duration * (1 + dt / substeps / duration);
 }
@@ -85,26 +85,29 @@ const std::string plane = R"({"type": "plane", "point": [0, 0, -0.005]})";
 
 }  // namespace
 
-TEST_CASE("a sheet slides down an incline without friction as a body does", "[solver]") {
+TEST_CASE("without friction a sheet slides down an incline like a rigid body", "[solver]") {
   for (const Setting& setting : settings) {
     CAPTURE(setting.solver);
     CHECK_THAT(way(setting.solver, plane), WithinRel(slid(down, setting.substeps), 1e-3));
   }
 }
 
-TEST_CASE("friction slows a sheet on an incline by its coefficient, or holds it", "[solver]") {
+TEST_CASE("friction slows a sheet on an incline by its coefficient, or holds the sheet", "[solver]") {
   for (const Setting& setting : settings) {
     CAPTURE(setting.solver);
     CHECK_THAT(way(setting.solver, plane + friction(0.3)),
                WithinRel(slid(down - 0.3 * into, setting.substeps), 2e-3));
-    // tan 30° = 0.577 < 0.8. The iterations of vbd leave a part of each step's slip.
+    // tan 30° = 0.577 < 0.8. The iterations of vbd leave a small slip in each step.
     CHECK_THAT(way(setting.solver, plane + friction(0.8)), WithinAbs(0, 0.006));
   }
 }
 
-// tan 25° = 0.466 and tan 27° = 0.510. What the last iteration leaves of a slip adds up over 60 steps to less
-// than a millimetre.
-TEST_CASE("friction holds up to its static coefficient, and slides with its kinetic one", "[solver]") {
+// tan 25° = 0.466 and tan 27° = 0.510. The slip that the last iteration leaves adds up to less than a
+// millimetre over 60 steps.
+TEST_CASE(
+    "friction holds up to its static coefficient, and beyond it the sheet slides with the kinetic "
+    "coefficient",
+    "[solver]") {
   constexpr double gravity = 9.81, degree = std::numbers::pi / 180;
   const auto on = [&](double angle, const std::string& solver) {
     const std::string tilted = fmt::format(R"({{"type": "gravity", "acceleration": [{}, 0, {}]}}, {})",
@@ -116,12 +119,13 @@ TEST_CASE("friction holds up to its static coefficient, and slides with its kine
     CAPTURE(setting.solver);
     CHECK_THAT(on(25, setting.solver), WithinAbs(0, 1e-3));
     const double slides = gravity * (std::sin(27 * degree) - 0.4 * std::cos(27 * degree));
-    CHECK_THAT(on(27, setting.solver), WithinRel(slides * duration, 0.05));  // vbd starts late, by 1.4 steps
+    CHECK_THAT(on(27, setting.solver), WithinRel(slides * duration, 0.05));  // vbd starts 1.4 steps late
   }
 }
 
-// The push takes 1 m/s, and friction as much times its coefficient for what slides.
-TEST_CASE("a sheet that lands sliding loses speed by its kinetic coefficient", "[solver]") {
+// The plane stops the normal speed of 1 m/s. Friction reduces the sliding speed by the kinetic coefficient
+// times 1 m/s.
+TEST_CASE("a sheet that slides when it lands loses speed by its kinetic coefficient", "[solver]") {
   const std::string landing = R"("initial": {"velocity": [2, 0, -1]}, "effects": [)";
   for (const Setting& setting : settings)
     for (const auto& [at_rest, sliding] : {std::pair(1.5, 0.1), std::pair(0.5, 0.4)}) {
@@ -131,10 +135,11 @@ TEST_CASE("a sheet that lands sliding loses speed by its kinetic coefficient", "
     }
 }
 
-// The layers of a folded strip are nearer than their thickness, and push each other; friction is between
-// cloth and obstacles, and the plane is far.
-TEST_CASE("friction holds near its limit with the precision that a scene takes by itself", "[scene]") {
-  // 0.9 of the static coefficient. In single precision 32 substeps let it slide by 0.1 to 0.4 m.
+// The layers of a folded strip are nearer than their thickness and push each other. Friction acts only
+// between cloth and obstacles, and the plane is far away.
+TEST_CASE("friction holds a sheet near its limit with the precision that a scene chooses", "[scene]") {
+  // The slope is 0.9 of the static coefficient. In single precision the sheet would slide by 0.1 to 0.4 m
+  // with 32 substeps.
   for (const auto& [substeps, iterations] : {std::pair(1, 10), {8, 1}, {32, 1}, {32, 8}}) {
     CAPTURE(substeps, iterations);
     const std::string solver = fmt::format(R"({{"substeps": {}, "iterations": {}}})", substeps, iterations);
@@ -142,20 +147,20 @@ TEST_CASE("friction holds near its limit with the precision that a scene takes b
   }
 }
 
-TEST_CASE("friction leaves layers that push each other in flight alone", "[solver]") {
+TEST_CASE("friction does not act on flying layers that push each other", "[solver]") {
   const std::string flying = R"("initial": {"folds": 2, "fold_gap": 0.004, "velocity": [1, 0, 0]},
       "effects": [{"type": "plane", "point": [0, 0, -9]}, {"type": "self_collision", "thickness": 0.006})";
   for (const Setting& setting : settings) {
     CAPTURE(setting.solver);
     const Eigen::RowVector3d with = drift(setting.solver, flying + friction(0.5) + "]", 0.25),
                              without = drift(setting.solver, flying + "]", 0.25);
-    CHECK((with - without).norm() <= 1e-5);    // pbd takes double precision for friction
-    CHECK_THAT(with.x(), WithinAbs(1, 0.01));  // what a few iterations leave of the layers' forces
+    CHECK((with - without).norm() <= 1e-5);    // with friction, pbd uses double precision
+    CHECK_THAT(with.x(), WithinAbs(1, 0.01));  // remaining forces between the layers
   }
 }
 
 // No force acts along the plane.
-TEST_CASE("a smooth plane gives a crumpling sheet no momentum along it", "[solver]") {
+TEST_CASE("a smooth plane gives a crumpling sheet no momentum along the plane", "[solver]") {
   const std::string falling = R"("initial": {"tilt": 30}, "effects": [{"type": "gravity"},
                                  {"type": "plane", "point": [0, 0, -0.3]}])";
   for (const Setting& setting : settings) {
@@ -163,11 +168,11 @@ TEST_CASE("a smooth plane gives a crumpling sheet no momentum along it", "[solve
       continue;  // 10 iterations
     CAPTURE(setting.solver);
     const Eigen::RowVector3d velocity = drift(setting.solver, falling, 1);
-    CHECK_THAT(velocity.head<2>().norm(), WithinAbs(0, 1e-3));  // of up to 2 m/s
+    CHECK_THAT(velocity.head<2>().norm(), WithinAbs(0, 1e-3));  // vertices have up to 2 m/s
   }
 }
 
-// It is dragged until it has the belt's speed v, over v²/2μg, and then goes along.
+// The belt drags the sheet over the way v²/2μg until it has the belt's speed v. Then it moves with the belt.
 TEST_CASE("a belt carries a sheet along", "[solver]") {
   const double v = 0.5, coefficient = 0.3;
   const std::string belt = R"({"type": "plane", "point": [0, 0, -0.005], "velocity": [0.5, 0, 0]})";
@@ -175,7 +180,7 @@ TEST_CASE("a belt carries a sheet along", "[solver]") {
     CAPTURE(setting.solver);
     const double expected = v * duration - v * v / (2 * coefficient * into);
     CHECK_THAT(way(setting.solver, belt + friction(coefficient), 0),
-               WithinAbs(expected, 0.5 * v * dt / setting.substeps + 1e-3));  // first order in the substep
+               WithinAbs(expected, 0.5 * v * dt / setting.substeps + 1e-3));  // of first order
   }
 }
 

@@ -1,4 +1,4 @@
-// What a measure says about itself, against what runs with it have.
+// The descriptions of measures agree with the metrics of runs.
 #include <set>
 
 #include "experiments/config/experiment.hpp"
@@ -17,7 +17,7 @@ template <class Make>
 void add_names(Make make, std::set<std::string>& names) {
   if (!make) return;
   for (const auto& row : make()) {
-    CHECK(names.insert(row.name).second);  // a name has one meaning
+    CHECK(names.insert(row.name).second);  // no name has two meanings
     CHECK_FALSE(row.unit.empty());
     CHECK_FALSE(row.meaning.empty());
   }
@@ -25,7 +25,7 @@ void add_names(Make make, std::set<std::string>& names) {
 
 }  // namespace
 
-TEST_CASE("measures: each says what it gives, in which unit, and what it costs", "[measures]") {
+TEST_CASE("measures: each describes its metrics, their units and its cost", "[measures]") {
   std::set<std::string> names, of_frames, of_triangles, of_runs;
   for (const Measure* measure : measures()) {
     CHECK(names.insert(std::string(measure->name)).second);
@@ -40,7 +40,7 @@ TEST_CASE("measures: each says what it gives, in which unit, and what it costs",
   CHECK(measures_json().size() == names.size());
 }
 
-TEST_CASE("measures: a run's summary has the numbers of its measures and no others", "[measures]") {
+TEST_CASE("measures: the summary of a run has exactly the metrics of its measures", "[measures]") {
   const Workplace here;
   const auto experiment_with = [](const std::string& more) {
     return parse_experiment(
@@ -71,7 +71,7 @@ TEST_CASE("measures: a run's summary has the numbers of its measures and no othe
     CHECK_FALSE(plain.contains(name));
 }
 
-TEST_CASE("measures: one that nobody has is refused with those there are", "[measures]") {
+TEST_CASE("measures: an unknown measure is refused, and the message lists the known measures", "[measures]") {
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "defaults": "paper",
           "output": {"measures": ["motion"]}})",
                                      "test"),
@@ -98,13 +98,14 @@ TEST_CASE("measures: a metric that no run can have is an error before the first 
   CHECK(validate("stability_reach", R"("output": {"measures": ["stability"]}, )") == 0);
 }
 
-TEST_CASE("measures: the median is that of the last simulated second", "[measures]") {
+TEST_CASE("measures: the median is taken over the last simulated second", "[measures]") {
   const std::vector<Column> columns = {{"a", "1", "any"}, {"b", "1", "any"}};
   const std::vector<double> times = {0, 1, 1.5, 2};
   const std::vector<std::vector<double>> rows = {{100, 1}, {90, 2}, {3, 8}, {1, 5}};
   const FrameHistory frames(columns, times, rows, true);
-  CHECK(frames.last_second_median("a") == 2);  // of 3 and 1: the frame at 1 s is a second before the end
-  CHECK(FrameHistory(columns, times, rows, false).last_second_median("a") == 1);  // steps to an equilibrium
+  CHECK(frames.last_second_median("a") == 2);  // of 3 and 1; the frame at 1 s is a second before the end
+  CHECK(FrameHistory(columns, times, rows, false).last_second_median("a") ==
+        1);  // times of an equilibrium are steps, not seconds
   CHECK(frames.largest("b") == 8);
   CHECK(frames.last("b") == 5);
   CHECK_THROWS_AS(frames.last("c"), std::logic_error);

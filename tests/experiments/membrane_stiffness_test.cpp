@@ -1,4 +1,4 @@
-// A membrane that is stated in N/m.
+// A membrane whose stiffness is stated in N/m.
 #include <fmt/format.h>
 
 #include <string>
@@ -27,23 +27,25 @@ Positions after_steps(const RunConfig& config) {
 
 }  // namespace
 
-TEST_CASE("a membrane of Y N/m is one with the compliance 1/Y, with every method", "[experiments]") {
+TEST_CASE("with every method, a membrane of Y N/m equals a membrane with the compliance 1/Y",
+          "[experiments]") {
   for (const std::string method : {"pbd", "quasi_newton", "newton", "vbd"}) {
     CAPTURE(method);
     const Positions stated = after_steps(with(R"({"membrane_stiffness": 8192})", method)),
                     inverse = after_steps(
                         with(R"({"stiffness": "compliance", "compliance": 0.0001220703125})", method));
-    CHECK(stated == inverse);  // 1/8192 has no rounding
+    CHECK(stated == inverse);  // 1/8192 is exact
   }
 }
 
-TEST_CASE("physical alone is a membrane of 10 000 N/m", "[experiments]") {
+TEST_CASE("`physical` without a value is a membrane of 10 000 N/m", "[experiments]") {
   const RunConfig config = with(R"({"stiffness": "physical"})", "newton");
   CHECK(config.scene().material.strain.membrane_stiffness == 1e4);
   CHECK(build_scene(config.scene()).input.strain_stiffness.compliance == 1 / 1e4);
 }
 
-TEST_CASE("a membrane's stiffness is above 0, and methods that need one say its name", "[experiments]") {
+TEST_CASE("the stiffness of a membrane must be above 0, and methods that need it name the setting",
+          "[experiments]") {
   using Catch::Matchers::Contains;
   CHECK_THROWS_WITH(with(R"({"membrane_stiffness": 0})", "pbd"),
                     Contains("/material/strain/membrane_stiffness"));

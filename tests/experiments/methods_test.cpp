@@ -22,7 +22,7 @@ bool takes(const MethodKind& method, std::string_view effect) {
   return method.takes_effect(kind.needs_projection, kind.acts_in_iterations);
 }
 
-// Twice as wide as high, so that pbd gives the vertices another order than the mesh.
+// A sheet twice as wide as high, so pbd orders the vertices differently than the mesh.
 BuiltScene wide_sheet(const MethodKind& method, const std::string& rest) {
   const std::string text = fmt::format(
       R"({{"name": "wide", "defaults": "paper", "mesh": {{"cells": 8, "width": 0.5, "height": 0.25}},
@@ -38,7 +38,7 @@ Positions after_steps(const BuiltScene& scene, int steps) {
   return simulation->positions();
 }
 
-// The angle with the vertical at which a stiff plate, hung from its top, rests in a horizontal wind.
+// The angle to the vertical at which a stiff plate that hangs from its top rests in a horizontal wind.
 double angle_in_wind(const std::string& solver, const std::string& effects) {
   const std::string text = fmt::format(
       R"({{"name": "plate", "defaults": "paper", "mesh": {{"cells": 4}},
@@ -57,9 +57,9 @@ double angle_in_wind(const std::string& solver, const std::string& effects) {
 
 }  // namespace
 
-TEST_CASE("wind holds a plate at its angle, whatever the time step and the order of effects", "[effects]") {
-  // Weight ρ g and drag ½ ρ_air C_D v² cos θ are both uniform over it, so that their moments balance where
-  // sin θ / cos² θ = ½ ρ_air C_D v² / (ρ g).
+TEST_CASE("wind holds a plate at the same angle for any time step and order of effects", "[effects]") {
+  // Weight ρ g and drag ½ ρ_air C_D v² cos θ are uniform over the plate. Their moments balance if sin θ /
+  // cos² θ = ½ ρ_air C_D v² / (ρ g).
   constexpr double drag = 0.5 * 1.204 * 1.28 * 2 * 2 / (0.2 * 9.81);
   double theta = 0.8;
   for (int i = 0; i < 50; ++i)  // Newton's method
@@ -72,16 +72,16 @@ TEST_CASE("wind holds a plate at its angle, whatever the time step and the order
       CAPTURE(effects, dt);
       CHECK_THAT(angle_in_wind(fmt::format(R"({{"method": "equilibrium", "dt": {}}})", dt),
                                fmt::format(R"("effects": [{}])", effects)),
-                 WithinAbs(theta * 180 / std::numbers::pi, 0.05));  // degrees: it bends by a little
+                 WithinAbs(theta * 180 / std::numbers::pi, 0.05));  // degrees; the plate bends a little
     }
 }
 
-TEST_CASE("the smallest meshes step to finite positions with every model", "[scene]") {
+TEST_CASE("with every model, steps of the smallest meshes give finite positions", "[scene]") {
   for (const char* generator : {"grid", "equilateral", "delaunay", "disc", "tube"})
     for (int cells = 1; cells <= 6; ++cells)
       for (const BendingKind* model : bending_models()) {
         const std::string_view name = generator;
-        if (cells < (name == "tube" ? 3 : name == "equilateral" ? 2 : 1)) continue;  // refused
+        if (cells < (name == "tube" ? 3 : name == "equilateral" ? 2 : 1)) continue;  // refused as too small
         CAPTURE(generator, cells, model->name);
         const std::string text = fmt::format(
             R"({{"name": "small", "mesh": {{"generator": "{}", "cells": {}}},
@@ -93,7 +93,7 @@ TEST_CASE("the smallest meshes step to finite positions with every model", "[sce
       }
 }
 
-TEST_CASE("effects act on the vertices that they name, whatever the method's order of vertices") {
+TEST_CASE("effects act on the vertices that they name, for any vertex order of the method") {
   REQUIRE_FALSE(wide_sheet(*find_method("pbd"), R"("effects": [])").input.permutation.empty());
   for (const MethodKind* method : methods()) {
     INFO(method->name);
@@ -103,7 +103,7 @@ TEST_CASE("effects act on the vertices that they name, whatever the method's ord
       const Positions end = after_steps(scene, 4);
       for (const int pin : scene.pins.all) {
         const Vector3 moved = end.row(pin) - scene.input.positions.row(pin);
-        CHECK((moved - Vector3(0, 0.1, 0)).norm() <= 1e-6);  // roundings of metres in single precision
+        CHECK((moved - Vector3(0, 0.1, 0)).norm() <= 1e-6);  // rounding of metres in single precision
       }
     }
     if (method->has_motion && takes(*method, "self_collision")) {
@@ -114,7 +114,7 @@ TEST_CASE("effects act on the vertices that they name, whatever the method's ord
   }
 }
 
-TEST_CASE("a method of the mesh's order takes no other") {
+TEST_CASE("a method that needs the mesh's vertex order refuses another order") {
   BuiltScene scene = wide_sheet(*find_method("newton"), R"("effects": [])");
   CHECK(scene.input.permutation.empty());
   scene.input.permutation = wide_sheet(*find_method("pbd"), R"("effects": [])").input.permutation;

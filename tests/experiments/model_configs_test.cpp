@@ -1,4 +1,4 @@
-// No bending model without its config, and none that the comparisons forget.
+// Every bending model has a config, and the comparisons include every model.
 #include <filesystem>
 #include <set>
 
@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path configs = std::filesystem::path(places::source) / "configs",
                             folder = configs / "models";
 
-bool joins_rings(const std::filesystem::path& file) {  // cases about rings, which only spring models have
+bool joins_rings(const std::filesystem::path& file) {  // only spring models have rings
   return file.stem().string().starts_with("rings");
 }
 
@@ -43,24 +43,24 @@ TEST_CASE("the hanging sheet and the cantilever run every registered model") {
   }
 }
 
-TEST_CASE("every hard case runs every registered model in both precisions, looked at after every step") {
+TEST_CASE("every hard case runs every registered model in both precisions and checks every step") {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(configs / "stability")) {
     const Experiment experiment = load_experiment(entry.path());
     INFO(entry.path());
     CHECK(experiment.name == "stability_" + entry.path().stem().string());
-    std::set<std::pair<std::string, ChosenPrecision>> found;
+    std::set<std::pair<std::string, ChosenPrecision>> combinations;
     for (const RunConfig& run : experiment.runs) {
       CHECK(run.settings().output.measures == std::vector<std::string>{"stability"});
       CHECK(run.scene().mesh.cells >= (run.scene().pins.vertices.empty() ? 16 : 32));
-      found.emplace(run.scene().bending.model.name(), run.scene().solver.precision);
+      combinations.emplace(run.scene().bending.model.name(), run.scene().solver.precision);
     }
     for (const BendingKind* model : bending_models())
       for (const ChosenPrecision precision :
            {ChosenPrecision::single_precision, ChosenPrecision::double_precision}) {
         INFO("lacks " << model->name << " in "
                       << (precision == ChosenPrecision::single_precision ? "single" : "double"));
-        CHECK((joins_rings(entry.path()) || found.count({std::string(model->name), precision}) == 1));
+        CHECK((joins_rings(entry.path()) || combinations.count({std::string(model->name), precision}) == 1));
       }
     ++files;
   }

@@ -1,4 +1,4 @@
-// Effects a scene does not list, or that cannot act, cost nothing and change nothing.
+// Effects that a scene does not list, or that cannot act, cost nothing and change nothing.
 #include <algorithm>
 
 #include "bendlab/effects/effect.hpp"
@@ -26,7 +26,8 @@ std::vector<std::string> pass_names(const nlohmann::json& run) {
 
 }  // namespace
 
-TEST_CASE("an effect that is not listed is as if it were compiled out", "[experiments][effects]") {
+TEST_CASE("without listed effects, a program with all effects gives the same bits as one without",
+          "[experiments][effects]") {
   Workplace place;
   place.write("hanging.json", hanging);
   for (const char* precision : {"single", "double"}) {
@@ -47,13 +48,13 @@ TEST_CASE("an effect that is not listed is as if it were compiled out", "[experi
       CHECK(read_positions(file(full), frame) == read_positions(file(bare), frame));
     CHECK(full["summary"] == bare["summary"]);
   }
-  // The bare program has no other effect at all.
+  // The bare program contains no other effect.
   CHECK(place.run("effects --json", places::bare_program) == 0);
   CHECK(nlohmann::json::parse(place.out()).size() == 1);
   CHECK(effects().size() > 1);
 }
 
-TEST_CASE("run --minimal leaves out what cannot act, and no bit changes", "[experiments][effects]") {
+TEST_CASE("run --minimal leaves out effects that cannot act, and no bit changes", "[experiments][effects]") {
   Workplace place;
   place.write("hanging.json", hanging);
   const std::string with =
@@ -63,36 +64,37 @@ TEST_CASE("run --minimal leaves out what cannot act, and no bit changes", "[expe
   const nlohmann::json run = place.out_lines().at(0);
   CHECK_THAT(run["message"].get<std::string>(),
              ContainsSubstring("left out /effects/1 (rigid_damping), /effects/2 (constraint_damping)"));
-  CHECK_THAT(run["message"].get<std::string>(), ContainsSubstring("are the same bits as with them"));
+  CHECK_THAT(run["message"].get<std::string>(), ContainsSubstring("have the same bits as with all effects"));
   for (const std::string& name : pass_names(run)) CHECK_FALSE(name.ends_with("damping"));
 
-  // Tethers without a pin have no pass; gravity acts and stays.
+  // Tethers without a pin have no pass. Gravity acts, so it stays.
   REQUIRE(place.run(R"(run hanging.json --minimal --json --set /pins/vertices=[] --set )"
                     R"('/effects=[{"type": "gravity"}, {"type": "tethers"}]')") == 0);
   const nlohmann::json unpinned = place.out_lines().at(0);
   CHECK_THAT(unpinned["message"].get<std::string>(), ContainsSubstring("left out /effects/1 (tethers);"));
 }
 
-TEST_CASE("run --explain says why each pass is there and what did nothing", "[experiments][effects]") {
+TEST_CASE("run --explain states the reason of each pass, and which effects did nothing",
+          "[experiments][effects]") {
   Workplace place;
   place.write("hanging.json", hanging);
   REQUIRE(place.run(R"(run hanging.json --explain --set '/effects=[{"type": "gravity"}, )"
                     R"({"type": "tethers", "slack": 100}]')") == 0);
   CHECK_THAT(place.out(), ContainsSubstring("/effects/0: a uniform acceleration of every free vertex"));
   CHECK_THAT(place.out(), ContainsSubstring("/bending/model: adaptive"));
-  CHECK_THAT(place.out(), ContainsSubstring("did nothing in this run and may be dropped:\n"
+  CHECK_THAT(place.out(), ContainsSubstring("did nothing in this run and can be removed from the config:\n"
                                             "  /effects/1 tethers: ran and changed nothing"));
   CHECK_THAT(place.out(), !ContainsSubstring("/effects/0 gravity:"));
-  // Shares of the passes add up: each line ends in one.
+  // Each line of a pass ends in its share of the time. The shares add up to 100 %.
   double sum = 0;
   std::istringstream lines(place.out());
   for (std::string line; std::getline(lines, line);)
     if (line.ends_with(" %")) sum += std::stod(line.substr(line.rfind("  ")));
-  CHECK_THAT(sum, Catch::Matchers::WithinAbs(100, 0.5));  // each is rounded to 0.1
+  CHECK_THAT(sum, Catch::Matchers::WithinAbs(100, 0.5));  // shares are rounded to 0.1
 }
 
-TEST_CASE("an effect without anything to do says so, and has no pass", "[experiments][effects]") {
-  // With its defaults an effect acts, but for the one that waits for keyframes.
+TEST_CASE("an effect with nothing to do reports this and has no pass", "[experiments][effects]") {
+  // With default settings every effect acts, except moving_pins, which need keyframes.
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins pins = make_pins(rest, {0}, 0);
   for (const EffectKind* effect : effects()) {

@@ -1,4 +1,4 @@
-// Bending models and measures that a program may not add. Those that it may: tests/install.
+// Bending models and measures that a program must not add. For valid additions see tests/install.
 #include "bendlab/bending/models.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
@@ -21,7 +21,7 @@ std::vector<Quantity> number(const char* name) {
   return {{name, "1", "a number"}};
 }
 
-TEST_CASE("own rows: a model needs a name of its own, and to build something", "[measures]") {
+TEST_CASE("own rows: a model needs a new name and a function that builds its constraints", "[measures]") {
   static constexpr BendingKind taken{.name = "lod", .build = no_constraints}, empty{.name = "own"};
   CHECK_THROWS_WITH(register_bending_model(taken), ContainsSubstring("bending model 'lod'"));
   CHECK_THROWS_WITH(register_bending_model(empty),
@@ -29,7 +29,7 @@ TEST_CASE("own rows: a model needs a name of its own, and to build something", "
   CHECK(added_bending_models().empty());
 }
 
-TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", "[measures]") {
+TEST_CASE("own rows: a measure and its metrics need new names", "[measures]") {
   static const Measure taken{.name = "drape", .begin = nothing}, empty{.name = "own"},
       summary{.name = "own", .gives = [] { return number("drop"); }, .begin = nothing},
       fact{.name = "own", .gives = [] { return number("vertices"); }, .begin = nothing},
@@ -47,14 +47,14 @@ TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", 
             .begin = nothing};
   CHECK_THROWS_WITH(register_measure(taken), ContainsSubstring("measure 'drape'"));
   CHECK_THROWS_WITH(register_measure(empty), ContainsSubstring("begin()"));
-  CHECK_THROWS_WITH(register_measure(summary), ContainsSubstring("number 'drop'"));
-  CHECK_THROWS_WITH(register_measure(fact), ContainsSubstring("number 'vertices'"));
-  CHECK_THROWS_WITH(register_measure(twice), ContainsSubstring("number 'a'"));
-  CHECK_THROWS_WITH(register_measure(frame), ContainsSubstring("number 'time'"));
+  CHECK_THROWS_WITH(register_measure(summary), ContainsSubstring("metric 'drop'"));
+  CHECK_THROWS_WITH(register_measure(fact), ContainsSubstring("metric 'vertices'"));
+  CHECK_THROWS_WITH(register_measure(twice), ContainsSubstring("metric 'a'"));
+  CHECK_THROWS_WITH(register_measure(frame), ContainsSubstring("metric 'time'"));
   CHECK(added_measures().empty());
 }
 
-TEST_CASE("own rows: what is added and removed at any time is in the settings or not", "[measures]") {
+TEST_CASE("own rows: settings follow when a model or measure is added or removed", "[measures]") {
   static constexpr BendingKind model{.name = "own", .settings = table_of<None>({}), .build = no_constraints},
       no_table{.name = "own", .build = no_constraints};
   static const Measure measure{.name = "own", .begin = nothing};

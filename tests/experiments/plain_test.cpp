@@ -1,5 +1,5 @@
-// The plain matrix: of every tenth of its runs, whether what it did can be, and if not, whether the program
-// said so. And the same scenes in two units.
+// The sweeps in configs/plain. Every tenth run must be physically possible, or the program must report that
+// it is not. The same scenes are also compared in two units of length.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@
 namespace bendlab {
 namespace {
 
-// As in analysis/plain_cases.py, where the reasons stand.
+// The same limits as in analysis/plain_cases.py, which gives the reasons.
 constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 3, speed = 4, energy = 0.02,
                  fall = 1e-3, rounding = 1e-6;
 
@@ -41,7 +41,7 @@ std::string text_of(const RunConfig& config) {
   return text;
 }
 
-// The shortest way along edges from every vertex to a pin, and that pin, by Bellman's rounds.
+// The shortest way along edges from every vertex to a pin, and this pin, by Bellman's algorithm.
 struct Ways {
   explicit Ways(const BuiltScene& scene)
       : length(Eigen::VectorXd::Constant(scene.rest.vertex_count(), std::numeric_limits<double>::infinity())),
@@ -66,7 +66,7 @@ struct Ways {
   Eigen::VectorXi pin;
 };
 
-// Looks at a run after every step, and keeps the number that is farthest beyond its limit.
+// Checks a run after every step, and keeps the value that is farthest beyond its limit.
 class Bounds {
  public:
   explicit Bounds(const BuiltScene& scene)
@@ -86,7 +86,7 @@ class Bounds {
   }
 
   void look(double time, const Positions& now, const Positions& velocities) {
-    if (!now.allFinite()) return keep("numbers that are none", 1, 0);
+    if (!now.allFinite()) return keep("positions that are not finite", 1, 0);
     const StretchSummary strained = meter_.summarise(meter_.measure(now));
     keep("mean strain", strained.mean_strain, mean_strain);
     keep("largest stretch", strained.max_stretch, stretch);
@@ -101,7 +101,7 @@ class Bounds {
   const std::string& worst() const { return worst_; }
 
  private:
-  // Prestressed springs have an energy at the start that k does not state.
+  // Prestressed springs have energy at the start, and k does not determine how much.
   bool pushes_from_the_start() const {
     const DistanceConstraints& springs = scene_.input.distance;
     for (std::size_t i = 0; i < springs.size(); ++i) {
@@ -131,8 +131,8 @@ class Bounds {
     return sum / mass_;
   }
 
-  // Steps of h end at x0 + v0 t + g t (t + h) / 2 exactly, those of BDF2, whose first is one of backward
-  // Euler, at x0 + v0 t + g (t² / 2 + 3/4 h² (1 - 3^(-t / h))).
+  // Steps of h end exactly at x0 + v0 t + g t (t + h) / 2. Steps of BDF2, whose first step is backward Euler,
+  // end at x0 + v0 t + g (t² / 2 + 3/4 h² (1 - 3^(-t / h))).
   void look_at_fall(double time, const Positions& now) {
     const double h = scene_.input.settings.dt / scene_.input.settings.substeps;
     const Vector3 exact = centre(start_) + time * centre(velocities_) + fallen(time, h) * gravity_;
@@ -140,7 +140,7 @@ class Bounds {
          fall * 0.5 * gravity_.norm() * time * time + rounding * scene_.rest.size());
   }
 
-  // Of a fall from rest at time t, over g.
+  // The way of a fall from rest until time t, over g.
   double fallen(double t, double h) const {
     const Field* const integrator = scene_.input.method.kind().settings.find("integrator");
     const bool second_order =
@@ -176,23 +176,23 @@ class Bounds {
   std::string worst_;
 };
 
-// Warnings that say nothing of the bounds.
-constexpr std::array<std::string_view, 4> beside = {"inert_seed", "units", "piece_without_pin",
-                                                    "softened_membrane"};
+// Warnings that do not concern the bounds.
+constexpr std::array<std::string_view, 4> unrelated = {"inert_seed", "units", "piece_without_pin",
+                                                       "softened_membrane"};
 
-// Whether the program says of a run that it cannot be believed, or warns of what spoils it.
-bool is_told(const Experiment& experiment, const RunConfig& config) {
+// Whether the program gives a run another verdict than complete, or a warning that concerns the bounds.
+bool is_reported(const Experiment& experiment, const RunConfig& config) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("bendlab_plain_test_" + run_id(config));
   const RunOutcome outcome = execute_run(experiment, config, folder);
   std::filesystem::remove_all(folder);
   return outcome.status != RunStatus::complete ||
          std::ranges::any_of(outcome.warnings, [](const Warning& warning) {
-           return std::ranges::find(beside, warning.code) == beside.end();
+           return std::ranges::find(unrelated, warning.code) == unrelated.end();
          });
 }
 
-// What is wrong in silence with a run; empty if nothing is.
+// The broken bound of a run if the program does not report it; otherwise empty.
 std::string silently_wrong(const Experiment& experiment, const RunConfig& config) {
   const BuiltScene scene = build_scene(config.scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
@@ -203,30 +203,31 @@ std::string silently_wrong(const Experiment& experiment, const RunConfig& config
     goes_on = simulation->step();
     bounds.look(simulation->time(), simulation->positions(), simulation->velocities());
   }
-  return bounds.excess() <= 1 || is_told(experiment, config) ? "" : bounds.worst() + ":" + text_of(config);
+  return bounds.excess() <= 1 || is_reported(experiment, config) ? ""
+                                                                 : bounds.worst() + ":" + text_of(config);
 }
 
-// Of every tenth run, two at a time.
+// The same for every tenth run. Two runs are computed in parallel.
 std::vector<std::string> silently_wrong(const std::string& name) {
   const Experiment experiment = plain(name);
   const auto every = [&](std::size_t first, std::size_t step) {
-    std::vector<std::string> found;
+    std::vector<std::string> problems;
     for (std::size_t i = first; i < experiment.runs.size(); i += step)
       if (const std::string wrong = silently_wrong(experiment, experiment.runs[i]); !wrong.empty())
-        found.push_back(fmt::format("bendlab run configs/plain/{}.json: {}", name, wrong));
-    return found;
+        problems.push_back(fmt::format("bendlab run configs/plain/{}.json: {}", name, wrong));
+    return problems;
   };
   std::future<std::vector<std::string>> other = std::async(std::launch::async, every, 13, 20);
-  std::vector<std::string> found = every(3, 20);
-  std::ranges::copy(other.get(), std::back_inserter(found));
-  return found;
+  std::vector<std::string> problems = every(3, 20);
+  std::ranges::copy(other.get(), std::back_inserter(problems));
+  return problems;
 }
 
 }  // namespace
 
-TEST_CASE("plain: hinges leave a hanging sheet where it is in the first step", "[plain]") {
-  // It starts as it hangs: within a step of h forces and speed move a vertex by v h + g h². The hinges
-  // between pinned corners once threw their free one by 170 km.
+TEST_CASE("plain: hinges hardly move a hanging sheet in the first step", "[plain]") {
+  // The sheet starts in its hanging pose. In a step of h, forces and speed move a vertex by v h + g h².
+  // Hinges with pinned corners once threw their free corner by 170 km.
   const std::string model = GENERATE("dihedral", "bridson", "discrete_shells");
   const std::string precision = GENERATE("single", "double");
   for (const int cells : {2, 12, 24}) {
@@ -241,19 +242,19 @@ TEST_CASE("plain: hinges leave a hanging sheet where it is in the first step", "
     REQUIRE(simulation->step());
     const double h = simulation->time(), way = 0.05 * h + 9.81 * h * h;
     CAPTURE(model, precision, cells);
-    // Projections pass some of it on to neighbours, and never make it several times as much.
+    // Projections pass a part of this move on to neighbours, but never multiply it.
     CHECK((simulation->positions() - scene.input.positions).rowwise().norm().maxCoeff() <= 2 * way);
   }
 }
 
-TEST_CASE("plain: no tenth run is wrong in silence", "[plain]") {
+TEST_CASE("plain: among every tenth run, no run breaks a bound without a report", "[plain]") {
   const std::string name = GENERATE("first", "metres", "millimetres", "methods");
   CHECK(silently_wrong(name) == std::vector<std::string>());
 }
 
-// A length of 1/1024 changes exponents only: not a bit may differ, if no length is compared with a constant
-// of its own.
-TEST_CASE("plain: the same cloth in two units does the same, bit for bit", "[plain]") {
+// A unit of length of 1/1024 changes only exponents. If no length is compared with a fixed constant, no bit
+// may differ.
+TEST_CASE("plain: the same cloth in two units of length gives the same bits", "[plain]") {
   const Experiment small = plain("millimetres"), large = plain("millimetres_in_metres");
   REQUIRE(small.runs.size() == large.runs.size());
   constexpr double scale = 1.0 / 1024;
@@ -262,8 +263,9 @@ TEST_CASE("plain: the same cloth in two units does the same, bit for bit", "[pla
     if (large.runs[i].scene().bending.stiffness == Stiffness::compliance)
       continue;  // scaled as springs or hinges
     INFO(text_of(large.runs[i]));
-    const BuiltScene one = build_scene(small.runs[i].scene()), other = build_scene(large.runs[i].scene());
-    const std::unique_ptr<Simulation> a = simulation_of(one), b = simulation_of(other);
+    const BuiltScene small_scene = build_scene(small.runs[i].scene()),
+                     large_scene = build_scene(large.runs[i].scene());
+    const std::unique_ptr<Simulation> a = simulation_of(small_scene), b = simulation_of(large_scene);
     for (int step = 0; step < 3; ++step) a->step(), b->step();
     const bool same = a->positions() == scale * b->positions();
     CHECK(same);

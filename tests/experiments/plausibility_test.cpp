@@ -1,4 +1,4 @@
-// Every bound is broken by a scene or a made-up pose that breaks it, and kept by one that must not.
+// Every bound is broken by a pose that must break it, and kept by a pose that must keep it.
 #include "experiments/run/plausibility.hpp"
 
 #include <cmath>
@@ -25,7 +25,7 @@ BuiltScene scene_of(const std::string& settings) {
                          .scene());
 }
 
-// A sheet of a metre on a corner, and one that nothing holds.
+// A sheet of a metre that hangs on a corner, and a sheet without pins.
 const std::string on_a_corner = R"("mesh": {"cells": 4}, "pins": {"vertices": ["upper_right"], "ring": 0})",
                   unpinned = R"("mesh": {"cells": 4}, "pins": {"vertices": []})";
 
@@ -41,7 +41,7 @@ std::optional<BrokenBound> after(const BuiltScene& scene, double time, const Pos
   return plausibility.broken();
 }
 
-// All fall freely, but for a part of their way and speed.
+// All vertices fall, but only by this share of the way and speed of a free fall.
 std::optional<BrokenBound> falling(const BuiltScene& scene, double time, double share) {
   Positions positions = scene.input.positions, velocities = still(scene);
   positions.col(2).array() -= share * 0.5 * g * time * time;
@@ -49,7 +49,7 @@ std::optional<BrokenBound> falling(const BuiltScene& scene, double time, double 
   return after(scene, time, positions, velocities);
 }
 
-// Stretches of every triangle that a metric has, shown at 30 frames a second until `until`.
+// A mean strain and a largest stretch from time `from` until `until`, checked at 30 frames per second.
 std::optional<BrokenBound> stretched(const BuiltScene& scene, double from, double until, double largest,
                                      double mean) {
   Plausibility plausibility(scene);
@@ -81,11 +81,12 @@ TEST_CASE("plausible: a value that is not finite is reported with its vertex", "
   CHECK(broken->time == 0.1);
 }
 
-TEST_CASE("plausible: no vertex is farther from its pin than the cloth between is long", "[plausibility]") {
+TEST_CASE("plausible: no vertex is farther from its pin than the length of cloth between them",
+          "[plausibility]") {
   const BuiltScene scene = scene_of(on_a_corner + R"(, "bending": {"model": "none"})");
-  const int far_corner = 0;  // lower left: the diagonal away from the pin
+  const int far_corner = 0;  // lower left: diagonally opposite to the pin
   Positions positions = scene.input.positions;
-  // As far as the cloth is long on the other side of the pin: it hangs there.
+  // On the other side of the pin, at the distance of the cloth's length: a possible pose.
   positions.row(far_corner) = Eigen::RowVector3d(0.5, 0.5, 0) + Eigen::RowVector3d(1, 1, 0);
   CHECK_FALSE(after(scene, 1, positions, still(scene)));
   positions.row(far_corner) = Eigen::RowVector3d(0.5, 0.5, -4);
@@ -99,13 +100,13 @@ TEST_CASE("plausible: no vertex is farther from its pin than the cloth between i
   CHECK_THAT(text_of(*broken), ContainsSubstring("at t = 1 s vertex 0 is 4 m away"));
 }
 
-TEST_CASE("plausible: pins that are moved apart stretch the cloth between them as far as they go",
+TEST_CASE("plausible: pins that move apart may stretch the cloth between them by their own move",
           "[plausibility]") {
   const std::string pins = R"("mesh": {"cells": 4}, "pins": {"vertices": ["left", "right"], "ring": 0})";
   const BuiltScene moved = scene_of(pins + R"(, "effects": [{"type": "gravity"}, {"type": "moving_pins",
     "vertices": ["right"], "times": [0, 1], "offsets": [0, 0, 0, 5, 0, 0]}])");
   const BuiltScene held = scene_of(pins);
-  Positions apart = held.input.positions;  // six times as wide, as the pins
+  Positions apart = held.input.positions;  // six times as wide, like the pins
   apart.col(0) *= 6;
   CHECK_FALSE(after(moved, 1, apart, still(moved)));
   Positions gone = apart;
@@ -114,20 +115,20 @@ TEST_CASE("plausible: pins that are moved apart stretch the cloth between them a
   CHECK(bound_of(after(held, 1, gone, still(held))) == Bound::reach);
 }
 
-TEST_CASE("plausible: unpinned cloth falls as everything does", "[plausibility]") {
+TEST_CASE("plausible: unpinned cloth falls freely", "[plausibility]") {
   const BuiltScene scene = scene_of(unpinned);
   CHECK_FALSE(falling(scene, 0.5, 1));
   CHECK_FALSE(falling(scene, 0.5, 1.005));
-  // The issue's free falls in single precision: 1.201 m of 1.226 m, and 0.53 m.
+  // Wrong free falls that occurred in single precision: 1.201 m instead of 1.226 m, and 0.53 m.
   CHECK(bound_of(falling(scene, 0.5, 1.201 / 1.226)) == Bound::momentum);
   const auto broken = falling(scene, 0.5, 0.53 / 1.226);
   CHECK(bound_of(broken) == Bound::momentum);
   CHECK_THAT(broken->measured, WithinRel(g * 0.5 * (1 - 0.53 / 1.226), 1e-9));
-  // The velocity alone may be right: where it lies says how far it came.
+  // Even with the right velocity, the position shows that the cloth did not fall far enough.
   Positions velocities = still(scene);
   velocities.col(2).array() -= g * 0.5;
   CHECK(bound_of(after(scene, 0.5, scene.input.positions, velocities)) == Bound::fall);
-  // What holds or brakes it may: a pin, a table, air.
+  // The cloth may fall more slowly if a pin, a table or air holds or brakes it.
   for (const char* effect : {R"({"type": "plane", "point": [0, 0, -0.1], "normal": [0, 0, 1]})",
                              R"({"type": "viscous_drag", "coefficient": 1})"})
     CHECK_FALSE(
@@ -135,7 +136,8 @@ TEST_CASE("plausible: unpinned cloth falls as everything does", "[plausibility]"
   CHECK_FALSE(falling(scene_of(on_a_corner), 0.5, 0.1));
 }
 
-TEST_CASE("plausible: without gravity the centre of mass keeps its velocity to rounding", "[plausibility]") {
+TEST_CASE("plausible: without gravity the centre of mass keeps its velocity up to rounding",
+          "[plausibility]") {
   const BuiltScene scene = scene_of(unpinned + R"(, "effects": [], "initial": {"velocity": [1, 0, 0]})");
   Positions positions = scene.input.positions, velocities = still(scene);
   positions.col(0).array() += 2;
@@ -145,7 +147,8 @@ TEST_CASE("plausible: without gravity the centre of mass keeps its velocity to r
   CHECK(bound_of(after(scene, 2, positions, velocities)) == Bound::momentum);
 }
 
-TEST_CASE("plausible: nothing is much faster than what falls, unless something drives it", "[plausibility]") {
+TEST_CASE("plausible: no vertex is much faster than a free fall, unless an effect drives it",
+          "[plausibility]") {
   const std::string held = on_a_corner;
   const BuiltScene scene = scene_of(held);
   Positions velocities = still(scene);
@@ -161,12 +164,12 @@ TEST_CASE("plausible: nothing is much faster than what falls, unless something d
         R"({"type": "sphere", "centre": [0, 0, -3], "radius": 0.1, "velocity": [0, 0, 9]})"})
     CHECK_FALSE(after(scene_of(held + R"(, "effects": [{"type": "gravity"}, )" + driving + "]"), 1,
                       scene.input.positions, velocities));
-  // A pose that is stretched from the start has energy that k does not state.
+  // A pose that is stretched at the start has energy, and k does not determine how much.
   const BuiltScene strained = scene_of(held + R"(, "initial": {"scale": [2, 2, 1]})");
   CHECK_FALSE(after(strained, 1, strained.input.positions, velocities));
 }
 
-TEST_CASE("plausible: what nothing moves may jitter by rounding, and by what its start was disturbed",
+TEST_CASE("plausible: cloth without forces may move by rounding and by the disturbance of its start",
           "[plausibility]") {
   const BuiltScene scene = scene_of(unpinned + R"(, "effects": [])");
   Positions velocities = still(scene);                // 6 and 7 are inner vertices, of equal mass
@@ -174,63 +177,64 @@ TEST_CASE("plausible: what nothing moves may jitter by rounding, and by what its
   CHECK_FALSE(after(scene, 1, scene.input.positions, velocities));
   velocities(6, 0) = 1, velocities(7, 0) = -1;
   CHECK(bound_of(after(scene, 1, scene.input.positions, velocities)) == Bound::speed);
-  // A thousandth of a strain of 1.4 m may be undone in 1/60 s.
+  // A strain of a thousandth over 1.4 m may relax in 1/60 s.
   const BuiltScene disturbed = scene_of(unpinned + R"(, "effects": [], "initial": {"scale": [1.001, 1, 1]})");
   velocities(6, 0) = 0.08, velocities(7, 0) = -0.08;
   CHECK_FALSE(after(disturbed, 1, disturbed.input.positions, velocities));
 }
 
-TEST_CASE("plausible: kinetic energy comes from weight", "[plausibility]") {
+TEST_CASE("plausible: kinetic energy must come from the fall of the weight", "[plausibility]") {
   const BuiltScene scene = scene_of(on_a_corner);
   Positions positions = scene.input.positions, velocities = still(scene);
   positions.col(2).array() -= 0.3, positions.row(24) = scene.input.positions.row(24);
   velocities.col(2).setConstant(-std::sqrt(2 * g * 0.3));
   CHECK_FALSE(after(scene, 1, positions, velocities));
-  // Back up, and still as fast.
+  // The cloth is up again, but as fast as before.
   positions.col(2).array() += 0.7, positions.row(24) = scene.input.positions.row(24);
   const auto broken = after(scene, 1, positions, velocities);
   CHECK(bound_of(broken) == Bound::energy);
-  const double weight = 0.2 * g;                                       // N, of a square metre
-  CHECK_THAT(broken->measured, WithinRel(weight * (0.3 + 0.4), 0.1));  // less the pinned vertex's share
+  const double weight = 0.2 * g;  // N, of a square metre
+  CHECK_THAT(broken->measured,
+             WithinRel(weight * (0.3 + 0.4), 0.1));  // without the share of the pinned vertex
 }
 
-TEST_CASE("plausible: a membrane that does not stretch is not twice as long, but for a moment",
-          "[plausibility]") {
+TEST_CASE("plausible: an inextensible membrane is twice as long for at most a moment", "[plausibility]") {
   const BuiltScene scene = scene_of(on_a_corner);
   CHECK_FALSE(stretched(scene, 0, 2, 1.9, 0.15));
   CHECK_FALSE(stretched(scene, 1, 1.2, 2.5, 0.15));
   const auto lasting = stretched(scene, 1, 2, 2.5, 0.15);
   CHECK(bound_of(lasting) == Bound::stretch);
-  CHECK_THAT(lasting->time, WithinRel(1.5, 1e-9));  // half a second after it began
+  CHECK_THAT(lasting->time, WithinRel(1.5, 1e-9));  // half a second after the stretch began
   CHECK(lasting->vertex == scene.rest.triangles()(5, 0));
   CHECK(bound_of(stretched(scene, 1, 1, 20, 0)) == Bound::stretch);  // the paper's crossover on 64 cells
   CHECK(bound_of(stretched(scene, 1, 2, 1.9, 0.25)) == Bound::mean_strain);
   CHECK(bound_of(stretched(scene, 1, 1, 1.9, 0.4)) == Bound::mean_strain);
 }
 
-TEST_CASE("plausible: a membrane with a compliance may stretch as far as that states", "[plausibility]") {
+TEST_CASE("plausible: a membrane with a compliance may stretch by this compliance", "[plausibility]") {
   const auto with_strain = [](const std::string& strain) {
     return scene_of(on_a_corner + R"(, "material": {"strain": )" + strain + "}");
   };
-  // A sheet of 0.2 kg that hangs at a vertex, edges of 0.25 m: 2 N on 0.25 m strain 0.1 m/N by 0.8.
+  // A sheet of 0.2 kg with edges of 0.25 m hangs on a vertex. 2 N on 0.25 m strain a membrane of 0.1 m/N by
+  // 0.8.
   const BuiltScene soft = with_strain(R"({"stiffness": "compliance", "compliance": 0.1})");
   CHECK_FALSE(stretched(soft, 0, 2, 1 + 4 * 0.8, 0.5));
   CHECK(stretched(soft, 0, 2, 100, 0.5));
-  // 1 µm/N moves no limit that one would notice.
+  // 1 µm/N does not change the limit noticeably.
   const BuiltScene stiff = with_strain(R"({"stiffness": "compliance", "compliance": 1e-6})");
   CHECK(bound_of(stretched(stiff, 0, 2, 3.3, 0)) == Bound::stretch);
-  // Without a constraint along the weft nothing keeps it short; without shear a triangle may be flat.
+  // Without a constraint along the weft the cloth may stretch. Without shear a triangle may be flat.
   CHECK_FALSE(stretched(with_strain(R"({"weft": 0})"), 0, 2, 100, 100));
   const BuiltScene sheared = with_strain(R"({"shear": 0})");
   CHECK_FALSE(stretched(sheared, 0, 2, std::sqrt(2), 0.9));
   CHECK(stretched(sheared, 0, 2, 5, 0.9));
-  // A pose that starts stretched may stay so.
+  // A pose that is stretched at the start may stay stretched.
   const BuiltScene strained = scene_of(on_a_corner + R"(, "initial": {"scale": [10, 10, 1]})");
   CHECK_FALSE(stretched(strained, 0, 2, 10, 9));
   CHECK(stretched(strained, 0, 2, 20, 9));
 }
 
-TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plausibility]") {
+TEST_CASE("plausible: the first broken bound is kept, and is read back from JSON", "[plausibility]") {
   const BuiltScene scene = scene_of(on_a_corner);
   Plausibility plausibility(scene);
   Positions positions = scene.input.positions;
@@ -253,7 +257,7 @@ TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plau
   CHECK_FALSE(broken_bound_of(vast));
 }
 
-TEST_CASE("plausible: symmetric sweeps are advised for many substeps that sweep forward", "[plausibility]") {
+TEST_CASE("plausible: symmetric sweeps are advised if many substeps sweep forward", "[plausibility]") {
   const auto remedies = [](const std::string& solver) {
     return remedies_for(Bound::energy, scene_of(unpinned + R"(, "solver": {)" + solver + "}"));
   };
@@ -263,7 +267,7 @@ TEST_CASE("plausible: symmetric sweeps are advised for many substeps that sweep 
   CHECK_THAT(remedies(R"("substeps": 10, "sweep": "forward")"), !ContainsSubstring("/solver/sweep"));
 }
 
-TEST_CASE("plausible: implicit steps may gain a fiftieth of the energy scale, projections a quarter",
+TEST_CASE("plausible: implicit steps may gain 1/50 of the energy scale, and projections 1/4",
           "[plausibility]") {
   const auto with_method = [](const std::string& solver) {
     return scene_of(on_a_corner + R"(, "bending": {"model": "none"},
@@ -271,7 +275,8 @@ TEST_CASE("plausible: implicit steps may gain a fiftieth of the energy scale, pr
         "solver": {)" +
                     solver + "}");
   };
-  // The whole sheet rises by 0.1 m and falls at the speed that this gives: 0.2 m of its weight, of 1.41 m.
+  // The whole sheet is 0.1 m higher and has the speed of a fall by 0.1 m. This is the energy of its weight
+  // over 0.2 m; the energy scale is its weight over 1.41 m.
   const auto risen = [&](const std::string& solver) {
     const BuiltScene scene = with_method(solver);
     Positions positions = scene.input.positions, velocities = still(scene);
@@ -293,9 +298,9 @@ TEST_CASE("plausible: implicit steps may gain a fiftieth of the energy scale, pr
   CHECK(remedies(R"("iterations": 30)").empty());
 }
 
-TEST_CASE("plausible: the correction of a vertex, by hand", "[plausibility]") {
-  // A spring over the edge of two triangles, 0.3 m too long: each end moves half of it. A pinned end moves
-  // nothing.
+TEST_CASE("plausible: the correction of a vertex agrees with a computation by hand", "[plausibility]") {
+  // A spring across the edge of two triangles is 0.3 m too long. Both ends move by half of this, but a pinned
+  // end does not move.
   SimulationInput input{.method = Pbd{}};
   input.mass = {1, 1, 1};
   input.is_pinned = {0, 0, 1};

@@ -1,7 +1,6 @@
-// What holds for every valid config, every accepted mesh and every moment at which a run is stopped: tried on
-// a hundred of each, made at random (RapidCheck). A case that fails is made smaller and printed with what
-// repeats it: RC_PARAMS="seed=…". Without RC_PARAMS the cases are always the same ones; with another seed,
-// others.
+// Properties of every valid config, of every accepted mesh, and of every step after which a run is stopped.
+// RapidCheck tries each property with a hundred random cases. It shrinks a failing case and prints it with
+// the RC_PARAMS="seed=…" that repeats it. Without RC_PARAMS the cases are always the same.
 #include <fmt/format.h>
 #include <rapidcheck.h>
 #include <stdlib.h>
@@ -29,11 +28,11 @@ namespace {
 
 template <class Property>
 bool holds(const std::string& what, const Property& property) {
-  ::setenv("RC_PARAMS", "seed=1", 0);  // unless somebody gave one
+  ::setenv("RC_PARAMS", "seed=1", 0);  // unless the user has set RC_PARAMS
   return rc::check(what, property);
 }
 
-// Settings that are valid together: of random ones, those that leave the config valid.
+// A valid config with random settings: changes that would make the config invalid are left out.
 std::string valid_config(const Json& base, const std::vector<std::uint64_t>& seeds) {
   Json config = base;
   for (const std::uint64_t seed : seeds) {
@@ -49,7 +48,8 @@ std::string valid_config(const Json& base, const std::vector<std::uint64_t>& see
   return config.dump();
 }
 
-// A few changes to a config: a list of seeds, which can be shortened until a failing config is small.
+// Random changes to a config. They come from a list of seeds, which can be shortened until a failing config
+// is small.
 rc::Gen<std::string> config_like(Json base) {
   return rc::gen::map(rc::gen::resize(6, rc::gen::arbitrary<std::vector<std::uint64_t>>()),
                       [base = std::move(base)](const std::vector<std::uint64_t>& seeds) {
@@ -72,8 +72,8 @@ bool all_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// A run is finite in all that it says, or has another verdict than complete, with the reason.
-void require_finite_or_told(const RunOutcome& outcome) {
+// Requires that all numbers of a run are finite, or that it has another verdict than complete and a reason.
+void require_finite_or_reported(const RunOutcome& outcome) {
   if (outcome.status == RunStatus::complete) {
     for (const auto& [name, value] : outcome.summary)
       if (!std::isfinite(value)) RC_FAIL(fmt::format("{} is {}", name, value));
@@ -86,7 +86,7 @@ void require_finite_or_told(const RunOutcome& outcome) {
 
 }  // namespace
 
-TEST_CASE("properties: a valid config comes back from its own text", "[properties]") {
+TEST_CASE("properties: a valid config is read back from its resolved text", "[properties]") {
   CHECK(holds("resolved settings are a config of the same run", [] {
     const RunConfig run = single_run(*config_like({{"name", "any"}}));
     Json settings = run.resolved();
@@ -99,18 +99,18 @@ TEST_CASE("properties: a valid config comes back from its own text", "[propertie
   }));
 }
 
-TEST_CASE("properties: a valid config runs to finite numbers, or says what is not", "[properties]") {
+TEST_CASE("properties: a run of a valid config has finite numbers, or reports a reason", "[properties]") {
   const WithoutTraps overflow;  // some diverge
   CHECK(holds("a run of a valid config", [] {
     const RunConfig run = single_run(*config_like(small_run()));
     const TemporaryFolder folder;
     Experiment experiment;
     experiment.name = "small";
-    // A setting may be valid and still not fit the mesh (a rim that a flat sheet has not).
+    // A valid setting may not fit the mesh: a flat sheet has no rim.
     try {
       const RunOutcome outcome = execute_run(experiment, run, folder / "");
       RC_CLASSIFY(outcome.status == RunStatus::complete);
-      require_finite_or_told(outcome);
+      require_finite_or_reported(outcome);
     } catch (const ConfigError& error) {
       RC_ASSERT(!error.problems().empty());
     } catch (const MeshError&) {
@@ -122,8 +122,8 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-// A sheet of cells², its vertices moved by as much as `rough` cells, scaled; and then damaged in as many
-// places.
+// A sheet of cells² cells. Vertices are moved by up to `rough` cells, the sheet is scaled, and then damaged
+// in a number of places.
 struct Soup {
   std::vector<Point> points;
   std::vector<std::array<int, 3>> triangles;
@@ -147,10 +147,10 @@ Soup random_soup(Random& random) {
     return soup.triangles[random() % soup.triangles.size()];
   };
   for (std::size_t damages = random() % 5; damages > 0; --damages) switch (random() % 7) {
-      case 0:  // two vertices in one place
+      case 0:  // two vertices at the same place
         soup.points[static_cast<std::size_t>(vertex())] = soup.points[static_cast<std::size_t>(vertex())];
         break;
-      case 1:  // a triangle of any vertices
+      case 1:  // a triangle of random vertices
         soup.triangles.push_back({vertex(), vertex(), vertex()});
         break;
       case 2:  // a triangle turned over
@@ -159,14 +159,14 @@ Soup random_soup(Random& random) {
       case 3:  // a hole
         if (soup.triangles.size() > 1) soup.triangles.erase(soup.triangles.begin() + vertex() % 2);
         break;
-      case 4:  // a number that no mesh has
+      case 4:  // a coordinate that is not finite or huge
         soup.points[static_cast<std::size_t>(vertex())][random() % 3] =
             std::array{std::numeric_limits<double>::quiet_NaN(), 1e300, -1e30, 1e9}[random() % 4];
         break;
-      case 5:  // a vertex that is not there
+      case 5:  // an index without a vertex
         triangle()[random() % 3] = static_cast<int>(soup.points.size() + random() % 2);
         break;
-      default:  // a triangle twice
+      default:  // a duplicate triangle
         soup.triangles.push_back(triangle());
     }
   return soup;
@@ -190,7 +190,7 @@ std::string text_of(const Soup& soup, std::string_view extension) {
 
 }  // namespace
 
-TEST_CASE("properties: an accepted mesh runs to finite numbers, or says what is not", "[properties]") {
+TEST_CASE("properties: a run of an accepted mesh has finite numbers, or reports a reason", "[properties]") {
   const WithoutTraps overflow;  // some diverge
   CHECK(holds("a run of a mesh from a file", [](std::uint64_t seed) {
     Random random(seed);
@@ -214,14 +214,14 @@ TEST_CASE("properties: an accepted mesh runs to finite numbers, or says what is 
     try {
       const RunOutcome outcome = execute_run(experiment, single_run(config.dump()), folder / "");
       RC_CLASSIFY(outcome.status == RunStatus::complete);
-      require_finite_or_told(outcome);
+      require_finite_or_reported(outcome);
     } catch (const MeshError& error) {
       RC_ASSERT(std::string(error.what()).find("can't be simulated") != std::string::npos);
     }
   }));
 }
 
-TEST_CASE("properties: a run that is stopped after any step goes on to the same bits", "[properties]") {
+TEST_CASE("properties: a run stopped after any step continues with the same bits", "[properties]") {
   const WithoutTraps overflow;  // some diverge
   CHECK(holds("a stopped run", [] {
     Json base = small_run();
@@ -234,7 +234,7 @@ TEST_CASE("properties: a run that is stopped after any step goes on to the same 
     RunOutcome uninterrupted;
     try {
       uninterrupted = execute_run(experiment, run, whole / "");
-    } catch (const std::exception&) {  // it does not run at all: see above
+    } catch (const std::exception&) {  // the config does not run at all: see above
       return;
     }
     std::atomic<bool> stop = false;

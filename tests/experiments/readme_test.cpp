@@ -1,4 +1,5 @@
-// What the README promises of its first experiment and of the recommended settings, run as a reader would.
+// The promises of the README about its first experiment and the recommended settings, run like a reader
+// would.
 #include <filesystem>
 #include <map>
 #include <string>
@@ -24,10 +25,10 @@ std::string first_experiment() {
 
 }  // namespace
 
-TEST_CASE("readme: its first experiment tears with the paper's settings and holds with ours", "[readme]") {
+TEST_CASE("readme: the first experiment tears with the paper's settings and holds with ours", "[readme]") {
   Workplace place;
   place.write("first.json", first_experiment());
-  CHECK(place.run("run first.json --json") == 1);  // the paper's finer sheets
+  CHECK(place.run("run first.json --json") == 1);  // the finer sheets with the paper's settings fail
   std::map<std::pair<std::string, int>, json> runs;
   for (const json& line : place.out_lines())
     runs[{line.at("point").at("/defaults"), line.at("point").at("/mesh/cells")}] = line;
@@ -42,12 +43,12 @@ TEST_CASE("readme: its first experiment tears with the paper's settings and hold
   CHECK(runs.at({"paper", 64}).at("summary").at("max_stretch") > 1.3);
 }
 
-TEST_CASE("readme: its first experiment is a file, too", "[readme]") {
+TEST_CASE("readme: the first experiment is also a config file", "[readme]") {
   CHECK(json::parse(first_experiment()) ==
         json::parse(bendlab::test::read(source / "configs" / "first.json")));
 }
 
-TEST_CASE("readme: the recommended settings keep what their config expects", "[readme]") {
+TEST_CASE("readme: runs with the recommended settings meet the expectations of their config", "[readme]") {
   Workplace place;
   const std::string config = "'" + (source / "configs" / "recommended.json").string() + "'";
   const int code = place.run("run " + config + " --out results --set '/mesh/cells=[16, 32]'");

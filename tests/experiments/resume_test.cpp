@@ -1,4 +1,4 @@
-// A run that is stopped and goes on gives the same bits as one that is not.
+// A run that is stopped and continued gives the same bits as a run without a stop.
 #include <fmt/format.h>
 
 #include <map>
@@ -38,7 +38,8 @@ const TemporaryFolder& obstacles() {
   return folder;
 }
 
-// An effect that acts on a sheet that falls, or swings from its upper edge, within a second.
+// An effect with settings such that it acts, within a second, on a sheet that falls or swings from its upper
+// edge.
 json example_of(std::string_view effect) {
   const std::map<std::string_view, json> settings = {
       {"sphere", {{"centre", {0, 0, -0.15}}, {"radius", 0.1}}},
@@ -49,8 +50,8 @@ json example_of(std::string_view effect) {
       {"self_collision", {{"thickness", 0.02}}},
       {"moving_pins", {{"times", {0, 1}}, {"offsets", {0, 0, 0, 0.2, 0.1, -0.3}}}},
       {"wind", {{"velocity", {1, 2, 0.5}}, {"gust_amplitude", 2}}}};
-  const auto found = settings.find(effect);
-  json example = found == settings.end() ? json::object() : found->second;
+  const auto entry = settings.find(effect);
+  json example = entry == settings.end() ? json::object() : entry->second;
   example["type"] = effect;
   return example;
 }
@@ -64,8 +65,8 @@ RunConfig config_of(const json& settings) {
   return parse_experiment(document.dump(), "test").runs.front();
 }
 
-// Steps a simulation of the config, and at `stop` goes on with a new one that has read the first one's
-// archive.
+// Steps a simulation of the config. After the step `stop` a new simulation reads the archive of the first and
+// continues.
 struct Steps {
   BuiltScene scene;
   std::unique_ptr<Simulation> simulation;
@@ -102,7 +103,7 @@ void check_same(const RunConfig& config, int steps = 40) {
 
 }  // namespace
 
-TEST_CASE("resume: with every effect a simulation goes on to the same bits", "[resume]") {
+TEST_CASE("resume: with every effect, a continued simulation gives the same bits", "[resume]") {
   for (const EffectKind* effect : effects())
     for (const char* precision : {"single", "double"}) {
       CAPTURE(effect->name, precision);
@@ -118,7 +119,7 @@ TEST_CASE("resume: with every effect a simulation goes on to the same bits", "[r
     }
 }
 
-TEST_CASE("resume: with every method a simulation goes on to the same bits", "[resume]") {
+TEST_CASE("resume: with every method, a continued simulation gives the same bits", "[resume]") {
   for (const MethodKind* method : methods()) {
     CAPTURE(method->name);
     check_same(
@@ -135,7 +136,7 @@ TEST_CASE("resume: with every method a simulation goes on to the same bits", "[r
   }
 }
 
-TEST_CASE("resume: every measure goes on to the same numbers", "[resume]") {
+TEST_CASE("resume: every measure of a continued run gives the same metrics", "[resume]") {
   json names = json::array();
   for (const Measure* measure : measures())
     if (!measure->applies) names.push_back(measure->name);
@@ -158,7 +159,7 @@ TEST_CASE("resume: every measure goes on to the same numbers", "[resume]") {
         recorder->complete(frames.back(), plausibility);
       }
       if (step != stop) continue;
-      // The measures' values of the frames before come from the run file: here they are completed again.
+      // The run file provides the values of earlier frames. Here they are computed again.
       Archive written;
       recorder->archive(written);
       auto next = std::make_unique<Recorder>(config, scene);
@@ -183,11 +184,11 @@ TEST_CASE("resume: every measure goes on to the same numbers", "[resume]") {
   }
 }
 
-TEST_CASE("resume: a run that was stopped goes on where it was", "[resume]") {
+TEST_CASE("resume: a stopped run continues where it was stopped", "[resume]") {
   Workplace place;
   place.write("a.json", R"({"name": "a", "mesh": {"cells": 40}, "duration": 60})");
   CHECK(place.run_and_signal("a.json", SIGTERM) == 143);
-  CHECK_THAT(place.err(), ContainsSubstring("goes on from there"));
+  CHECK_THAT(place.err(), ContainsSubstring("go on from there"));
   REQUIRE(place.run_files(".checkpoint").size() == 1);
   REQUIRE(place.run("run a.json --json --set /duration=60") == 0);
   const json run = place.out_lines().at(0);
@@ -198,7 +199,7 @@ TEST_CASE("resume: a run that was stopped goes on where it was", "[resume]") {
   CHECK_THAT(place.out(), ContainsSubstring("went_on_at"));
 }
 
-TEST_CASE("resume: a checkpoint that is damaged, or of another run, is not used", "[resume]") {
+TEST_CASE("resume: a damaged checkpoint, or a checkpoint of another run, is not used", "[resume]") {
   for (const char* damage : {"", "garbage", "bendlab checkpoint"}) {
     Workplace place;
     place.write("a.json", R"({"name": "a", "mesh": {"cells": 20}, "duration": 10})");
@@ -210,15 +211,15 @@ TEST_CASE("resume: a checkpoint that is damaged, or of another run, is not used"
   }
 }
 
-TEST_CASE("resume: a run whose earlier frames are of no use says that it began again", "[resume]") {
+TEST_CASE("resume: a run whose earlier frames are useless reports that it starts again", "[resume]") {
   Workplace place;
   place.write("a.json", R"({"name": "a", "mesh": {"cells": 20}, "duration": 10})");
   CHECK(place.run_and_signal("a.json", SIGTERM) == 143);
   const auto files = place.run_files(".vtkhdf");
   REQUIRE(files.size() == 1);
-  // As after a crash that left half of the file.
+  // Like after a crash that left half of the file.
   std::filesystem::resize_file(files[0], std::filesystem::file_size(files[0]) / 2);
   std::filesystem::rename(files[0], files[0].string() + ".0123.part");
   REQUIRE(place.run("run a.json --json") == 0);
-  CHECK_THAT(place.err(), ContainsSubstring("began again at its start"));
+  CHECK_THAT(place.err(), ContainsSubstring("began again from its start"));
 }

@@ -1,5 +1,5 @@
-// What a run file says of its constraints: all of them, in the order in which the solver takes them, and a
-// hash that changes with whatever makes them another list.
+// The constraints in a run file: all of them in the order of the solver, and a hash that changes with every
+// change of the list.
 #include "experiments/run/run_header.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Experiment experiment_of(const std::string& bending, const std::string& solver) 
 const std::string hinges = R"({"model": "discrete_shells", "stiffness": "compliance", "compliance": 1})",
                   springs = R"({"model": "crossover", "stiffness": "compliance", "compliance": 1})";
 
-// Of that kind, in a run of the scene after `change` was made to it.
+// The record of the constraints of this kind, in a run of the scene after `change` was applied.
 template <class Change>
 ConstraintRecord record_of(const std::string& kind, const Experiment& experiment, const Change& change) {
   BuiltScene scene = build_scene(experiment.runs.front().scene());
@@ -32,9 +32,9 @@ ConstraintRecord record_of(const std::string& kind, const Experiment& experiment
   const auto simulation = simulation_of(scene);
   const RunConfig& config = experiment.runs.front();
   const RunHeader header = header_of(experiment, config, "id", scene, *simulation, Recorder(config, scene));
-  const auto found = std::ranges::find(header.constraints, kind, &ConstraintRecord::kind);
-  REQUIRE(found != header.constraints.end());
-  return *found;
+  const auto record = std::ranges::find(header.constraints, kind, &ConstraintRecord::kind);
+  REQUIRE(record != header.constraints.end());
+  return *record;
 }
 
 ConstraintRecord record_of(const std::string& kind, const Experiment& experiment) {
@@ -44,7 +44,7 @@ ConstraintRecord record_of(const std::string& kind, const Experiment& experiment
 template <std::size_t N>
 std::vector<int> flat(const std::vector<std::array<int, N>>& vertices) {
   std::vector<int> all;
-  for (const auto& each : vertices) all.insert(all.end(), each.begin(), each.end());
+  for (const auto& corners : vertices) all.insert(all.end(), corners.begin(), corners.end());
   return all;
 }
 
@@ -60,7 +60,7 @@ RunHeader header_of(const Experiment& experiment) {
 
 }  // namespace
 
-TEST_CASE("a run file says of every number of its summary and its settings in which unit it is", "[io]") {
+TEST_CASE("a run file states the unit of every metric of its summary and of every setting", "[io]") {
   const Experiment experiment = parse_experiment(
       R"({"name": "t", "mesh": {"cells": 12},
           "bending": {"model": "discrete_shells", "stiffness": "physical", "flexural_rigidity": 1e-4},
@@ -74,19 +74,19 @@ TEST_CASE("a run file says of every number of its summary and its settings in wh
   const auto unit = [&](const char* part, const std::string& name) {
     return about.at(part).at(name).at(0).get<std::string>();
   };
-  CHECK(unit("summary", "edge_length") == "m");           // of the scene
-  CHECK(unit("summary", "kinetic_energy") == "J");        // of a measure
+  CHECK(unit("summary", "edge_length") == "m");                         // of the scene
+  CHECK(unit("summary", "kinetic_energy") == "J");                      // of a measure
   CHECK(unit("summary", "model_small_deflection_ends") == "√(N/m)/m");  // of the bending model
   CHECK(unit("settings", "/duration") == "s");
   CHECK(unit("settings", "/material/density") == "kg/m²");
   CHECK(unit("settings", "/effects/0/acceleration") == "m/s²");
   CHECK(unit("settings", "/effects/1/radius") == "m");
-  CHECK(!about.at("settings").contains("/bending/model"));  // no number
+  CHECK(!about.at("settings").contains("/bending/model"));  // not a number
   for (const auto& [name, entry] : about.at("summary").items())
     CHECK(!entry.at(1).get<std::string>().empty());
 }
 
-TEST_CASE("run header: the surface of each obstacle is recorded, by its index among the effects", "[run]") {
+TEST_CASE("run header: the surface of each obstacle is recorded with its index among the effects", "[run]") {
   const RunHeader header = header_of(parse_experiment(
       R"({"name": "t", "mesh": {"cells": 3}, "effects": [{"type": "gravity"},
           {"type": "sphere", "centre": [1, 2, -3], "radius": 0.5, "velocity": [0, 0, 1]},
@@ -103,7 +103,7 @@ TEST_CASE("run header: the surface of each obstacle is recorded, by its index am
   CHECK(header.obstacles[1].effect == 2);
 }
 
-TEST_CASE("run header: an equilibrium's constraints are recorded in the order of their lists", "[run]") {
+TEST_CASE("run header: the constraints of an equilibrium are recorded in the order of their lists", "[run]") {
   const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");
   BuiltScene scene = build_scene(experiment.runs.front().scene());
   REQUIRE(hinge_list(scene.input).size() > 0);
@@ -111,11 +111,11 @@ TEST_CASE("run header: an equilibrium's constraints are recorded in the order of
   CHECK(record_of("hinge", experiment).vertices == flat(hinge_list(scene.input).vertices));
 }
 
-TEST_CASE("run header: the hash knows every rest value and the softness", "[run]") {
+TEST_CASE("run header: the hash depends on every rest value and on the softness", "[run]") {
   for (const char* solver : {R"({"method": "pbd"})", R"({"method": "equilibrium"})"}) {
     const Experiment experiment = experiment_of(hinges, solver);
     std::set<std::string> hashes = {record_of("hinge", experiment).hash};
-    CHECK(hashes.contains(record_of("hinge", experiment).hash));  // a second time the same
+    CHECK(hashes.contains(record_of("hinge", experiment).hash));  // the same hash again
     for (std::size_t value = 0; value < HingeAngle::rest_values; ++value)
       hashes.insert(record_of("hinge", experiment, [&](SimulationInput& input) {
                       hinge_list(input).rest.back()[value] += 0.01;
@@ -144,12 +144,12 @@ TEST_CASE("run header: all rest values of a constraint are recorded", "[run]") {
   CHECK(record_of("strain", experiment).rest.size() == scene.input.strain.size());  // areas
 }
 
-TEST_CASE("run header: the hash tells triangles of one area and another shape apart", "[run]") {
+TEST_CASE("run header: the hash distinguishes triangles of equal area and different shape", "[run]") {
   const Experiment experiment = experiment_of(hinges, R"({"method": "pbd"})");
   const ConstraintRecord whole = record_of("strain", experiment);
   const ConstraintRecord sheared = record_of("strain", experiment, [](SimulationInput& input) {
     InverseRest& q = input.strain.inverse_rest.front();
-    q[0] += q[2], q[1] += q[3];  // the determinant stays
+    q[0] += q[2], q[1] += q[3];  // the determinant does not change
   });
   CHECK_THAT(sheared.rest.front(), Catch::Matchers::WithinRel(whole.rest.front(), 1e-14));  // a few roundings
   CHECK(sheared.hash != whole.hash);

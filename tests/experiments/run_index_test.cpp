@@ -1,4 +1,4 @@
-// The index of a folder says what its run files say, and notices when they change.
+// The index of a folder agrees with its run files, and notices when they change.
 #include "experiments/campaign/run_index.hpp"
 
 #include <fstream>
@@ -29,32 +29,32 @@ std::vector<RunRecord> runs_in(const fs::path& folder) {
   return read_runs(folder, [](const std::string& what) { FAIL_CHECK(what); });
 }
 
-void check_same(const RunRecord& one, const RunRecord& other) {
-  CHECK(one.file == other.file);
-  CHECK(one.id == other.id);
-  CHECK(one.name == other.name);
-  CHECK(one.status == other.status);
-  CHECK(one.frames == other.frames);
-  CHECK(one.summary == other.summary);
-  CHECK(one.wall_s == other.wall_s);
-  CHECK(one.cpu_s == other.cpu_s);
-  CHECK(one.step_cpu_s == other.step_cpu_s);
-  CHECK(one.provenance == other.provenance);
-  CHECK(nlohmann::json::parse(one.config) == nlohmann::json::parse(other.config));
-  CHECK(one.metrics == other.metrics);
-  CHECK(one.constraints == other.constraints);
-  REQUIRE(one.passes.size() == other.passes.size());
-  for (std::size_t i = 0; i < one.passes.size(); ++i) {
-    CHECK(one.passes[i].name == other.passes[i].name);
-    CHECK(one.passes[i].seconds == other.passes[i].seconds);
-    CHECK(one.passes[i].calls == other.passes[i].calls);
-    CHECK(one.passes[i].acted == other.passes[i].acted);
+void check_same(const RunRecord& indexed, const RunRecord& from_file) {
+  CHECK(indexed.file == from_file.file);
+  CHECK(indexed.id == from_file.id);
+  CHECK(indexed.name == from_file.name);
+  CHECK(indexed.status == from_file.status);
+  CHECK(indexed.frames == from_file.frames);
+  CHECK(indexed.summary == from_file.summary);
+  CHECK(indexed.wall_s == from_file.wall_s);
+  CHECK(indexed.cpu_s == from_file.cpu_s);
+  CHECK(indexed.step_cpu_s == from_file.step_cpu_s);
+  CHECK(indexed.provenance == from_file.provenance);
+  CHECK(nlohmann::json::parse(indexed.config) == nlohmann::json::parse(from_file.config));
+  CHECK(indexed.metrics == from_file.metrics);
+  CHECK(indexed.constraints == from_file.constraints);
+  REQUIRE(indexed.passes.size() == from_file.passes.size());
+  for (std::size_t i = 0; i < indexed.passes.size(); ++i) {
+    CHECK(indexed.passes[i].name == from_file.passes[i].name);
+    CHECK(indexed.passes[i].seconds == from_file.passes[i].seconds);
+    CHECK(indexed.passes[i].calls == from_file.passes[i].calls);
+    CHECK(indexed.passes[i].acted == from_file.passes[i].acted);
   }
 }
 
 }  // namespace
 
-TEST_CASE("run index: it says what the files say, however it is come by", "[campaign]") {
+TEST_CASE("run index: the index agrees with the files after any change", "[campaign]") {
   const TemporaryFolder folder;
   std::vector<fs::path> files = make_runs(folder / "");
   std::ranges::sort(files);
@@ -68,9 +68,9 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
   REQUIRE(fs::exists(index));
   const std::string text = bytes_of(index);
   check_all();
-  CHECK(bytes_of(index) == text);  // nothing was new
+  CHECK(bytes_of(index) == text);  // nothing changed
 
-  SECTION("states can be had without the rest, and the index keeps the rest") {
+  SECTION("states can be read alone, and the index keeps all other data") {
     fs::remove_all(files[1].parent_path());
     files.erase(files.begin() + 1);
     const std::vector<RunRecord> states = read_runs(
@@ -86,7 +86,7 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
     }
     check_all();  // from the index that was written for the states
   }
-  SECTION("a damaged index is not believed") {
+  SECTION("a damaged index is not used") {
     std::string damaged = text;
     damaged[text.find("complete")] = 'C';
     std::ofstream(index) << damaged;
@@ -98,7 +98,7 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
     check_all();
     CHECK(bytes_of(index) == text);
   }
-  SECTION("a file that was replaced by one of the same size and time is read again") {
+  SECTION("a file replaced by another file of the same size and time is read again") {
     const auto written = fs::last_write_time(files[0]);
     RunFooter footer = square_footer();
     footer.status = RunStatus::diverged;
@@ -109,13 +109,13 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
     check_all();
     CHECK(runs_in(folder / "")[0].status == RunStatus::diverged);
   }
-  SECTION("a run that is gone is gone") {
+  SECTION("a removed run is no longer in the index") {
     fs::remove_all(files[1].parent_path());
     files.erase(files.begin() + 1);
     check_all();
     CHECK(bytes_of(index).size() < text.size());
   }
-  SECTION("a copy of the folder is read anew") {
+  SECTION("runs in a copy of the folder are read") {
     fs::copy(folder / "three", folder / "four", fs::copy_options::recursive);
     files = find_run_files(folder / "");
     CHECK(files.size() == 6);
@@ -123,14 +123,14 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
   }
 }
 
-TEST_CASE("run index: a damaged run is told, and does not hide the others", "[campaign]") {
+TEST_CASE("run index: a damaged run is reported and does not hide other runs", "[campaign]") {
   const TemporaryFolder folder;
   const std::vector<fs::path> files = make_runs(folder / "");
   runs_in(folder / "");
   std::fstream(files[1], std::ios::in | std::ios::out | std::ios::binary).seekp(3000).put('x');
-  std::vector<std::string> told;
-  const auto runs = read_runs(folder / "", [&](const std::string& what) { told.push_back(what); });
+  std::vector<std::string> problems;
+  const auto runs = read_runs(folder / "", [&](const std::string& what) { problems.push_back(what); });
   CHECK(runs.size() == 2);
-  REQUIRE(told.size() == 1);
-  CHECK(told[0].find("it was changed after it was written") != std::string::npos);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].find("it was changed after it was written") != std::string::npos);
 }

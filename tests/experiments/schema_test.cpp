@@ -22,7 +22,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-// Words in one line: descriptions are wrapped in the text.
+// The text in one line. (Descriptions are wrapped in the text.)
 std::string unwrapped(const std::string& text) {
   std::string result;
   for (const char c : text)
@@ -42,7 +42,7 @@ const Json& section_schema(const Json& schema, const std::string& pointer) {
 
 }  // namespace
 
-TEST_CASE("schema: the text holds every row of every table") {
+TEST_CASE("schema: the text has every row of every table") {
   const std::string text = unwrapped(schema_text());
   const auto check_row = [&](const Field& row) {
     CHECK_THAT(text, ContainsSubstring(" " + std::string(row.name)));
@@ -111,7 +111,7 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
   }
 }
 
-TEST_CASE("schema: figures are told what each model is made of") {
+TEST_CASE("schema: the data for figures state the kind of constraints of each model") {
   const Json all = model_traits_json();
   for (const auto& [name, traits] : all.items()) {
     INFO(name);
@@ -119,11 +119,11 @@ TEST_CASE("schema: figures are told what each model is made of") {
                                    "defaults": "paper", "bending": {"model": ")" +
                                name + "\"}}";
     const BuiltScene scene = build_scene(parse_experiment(config, "test").runs.front().scene());
-    const std::size_t springs = scene.input.distance.size(), others = element_count(scene.input.elements);
+    const std::size_t springs = scene.input.distance.size(), elements = element_count(scene.input.elements);
     CHECK(traits["label"] == find_bending_model(name)->label);
-    CHECK((traits["made_of"] == "nothing") == (springs + others == 0));
+    CHECK((traits["made_of"] == "nothing") == (springs + elements == 0));
     CHECK((traits["made_of"] == "springs") == (springs > 0));
-    if (traits["made_of"] == "hinges") CHECK(others == 4 * 4 + 2 * 4 * 3);  // diagonals and inner sides
+    if (traits["made_of"] == "hinges") CHECK(elements == 4 * 4 + 2 * 4 * 3);  // diagonals and interior sides
   }
   CHECK(model_traits_json().size() == bending_models().size());
   CHECK(model_traits_json()["choi_ko"]["made_of"] == "elements");
@@ -131,7 +131,7 @@ TEST_CASE("schema: figures are told what each model is made of") {
   CHECK(model_traits_json()["sparse_lod"]["prestressed"] == false);
 }
 
-TEST_CASE("schema: figures are told what methods choose by default") {
+TEST_CASE("schema: the data for figures state the defaults of methods") {
   const Json chosen = method_traits_json();
   CHECK(chosen.size() == methods().size());
   CHECK(chosen["newton"]["integrator"] == "bdf2");
@@ -140,7 +140,7 @@ TEST_CASE("schema: figures are told what methods choose by default") {
   CHECK(chosen["equilibrium"].empty());
 }
 
-TEST_CASE("schema: the text of effects has an empty line between two of them, and none before or after") {
+TEST_CASE("schema: the text of effects has an empty line between two effects, but not before or after") {
   const std::string text = effects_text();
   CHECK(text.starts_with(effects().front()->name));
   for (std::size_t i = 1; i < effects().size(); ++i)
@@ -148,7 +148,7 @@ TEST_CASE("schema: the text of effects has an empty line between two of them, an
   CHECK_FALSE(text.ends_with("\n\n"));
 }
 
-TEST_CASE("schema: every setting that a method reads is in /solver, with one meaning") {
+TEST_CASE("schema: every setting that a method reads is in /solver and has one meaning") {
   const std::vector<SettingRow>& solver = find_section("/solver")->rows;
   const auto row_of = [&](std::string_view name) {
     return std::ranges::find_if(solver, [&](const SettingRow& row) { return row.field.name == name; });
@@ -172,7 +172,7 @@ TEST_CASE("schema: every setting that a method reads is in /solver, with one mea
   }
 }
 
-TEST_CASE("schema: a resolved config has the settings that its method reads, and no others") {
+TEST_CASE("schema: a resolved config has exactly the solver settings that its method reads") {
   const Json listed = methods_json();
   for (std::size_t i = 0; i < methods().size(); ++i) {
     const MethodKind& method = *methods()[i];
@@ -192,7 +192,7 @@ TEST_CASE("schema: a resolved config has the settings that its method reads, and
   }
 }
 
-TEST_CASE("schema: configs/schema.json is that of this program") {
+TEST_CASE("schema: configs/schema.json is up to date") {
   std::ifstream file(std::string(places::source) + "/configs/schema.json");
   const std::string text(std::istreambuf_iterator<char>(file), {});
   INFO("./bendlab schema --json > configs/schema.json");

@@ -1,4 +1,4 @@
-// What a run refuses while it is built is refused by `validate`, with its place and a remedy that works.
+// `validate` refuses every scene that a run would refuse, with a pointer and a remedy that works.
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -14,14 +14,14 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 using test::Workplace;
 
-// Of a roof: two squares that meet at a right angle.
+// A roof: two squares that meet at a right angle.
 const char* roof =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 1\nv 1 1 1\nf 1 2 4\nf 1 4 3\nf 3 4 6\nf 3 6 5\n";
 
 struct Refusal {
   std::string settings;               ///< of the config
   std::string pointer, text;          ///< of the message
-  std::vector<std::string> remedies;  ///< a remedy is a list of changes, each with --set
+  std::vector<std::string> remedies;  ///< options --set of the remedies
 };
 
 const std::string times = R"("type": "moving_pins", "times": [0, 1])";
@@ -71,7 +71,7 @@ const std::vector<Refusal> refusals = {
      {"--set '/effects/0/times=[0,1]'"}},
     {small + R"("effects": [{)" + times + R"(, "offsets": [0, 0, 0, 0, 0, 1], "indices": [12]}])",
      "/effects/0",
-     "vertex 12 is not pinned: name it in /pins too, or not here",
+     "vertex 12 is not pinned: add it to /pins, or remove it here",
      {"--set '/pins/indices=[12]'", "--set '/effects/0/indices=[]'"}},
     {small + R"("effects": [{)" + times + R"(, "angles": [0, 90], "axis": [0, 0, 0]}])",
      "/effects/0",
@@ -79,7 +79,7 @@ const std::vector<Refusal> refusals = {
      {"--set '/effects/0/axis=[0,0,1]'"}},
     {small + R"("effects": [{"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 0]}])",
      "/effects/0",
-     "normal is the zero vector, which has no direction; give it a length",
+     "normal is the zero vector, which has no direction; choose another vector",
      {"--set '/effects/0/normal=[0,0,1]'"}},
     {small + R"("material": {"coordinates": "texture"})",
      "/material/coordinates",
@@ -99,17 +99,17 @@ const std::vector<Refusal> refusals = {
      {"--set /initial/fold_gap=0.01", "--set /initial/folds=0"}},
     {small + R"("initial": {"after": ["/mesh/generator=sphere"]})",
      "/initial/after",
-     "give both runs one mesh, or two of one flat sheet",
+     "give both runs the same mesh, or two meshes of one flat sheet",
      {R"(--set '/initial/after=["/mesh/cells=8"]')"}},
     {small + R"("initial": {"after": ["/mesh/width=3", "/mesh/cells=48"]})",
      "/initial/after",
-     "give both the same extent",
+     "give both meshes the same extent",
      {R"(--set '/initial/after=["/duration=0.1"]')"}},
 };
 
 }  // namespace
 
-TEST_CASE("set-up: validate refuses what a run refuses, where it is, and its remedy is one", "[set_up]") {
+TEST_CASE("set-up: validate refuses the scenes that a run refuses, and the stated remedy works", "[set_up]") {
   Workplace place;
   place.write("roof.obj", roof);
   for (const Refusal& refusal : refusals) {
@@ -119,7 +119,7 @@ TEST_CASE("set-up: validate refuses what a run refuses, where it is, and its rem
     INFO(place.err());
     CHECK((code == 3 || code == 4));
     CHECK_THAT(place.err(), ContainsSubstring(refusal.pointer) && ContainsSubstring(refusal.text));
-    const std::string told = place.err();
+    const std::string validation = place.err();
     CHECK(place.run("run scene.json") == code);
     CHECK(place.err().find(refusal.text) != std::string::npos);
     for (const std::string& remedy : refusal.remedies) {
@@ -130,27 +130,27 @@ TEST_CASE("set-up: validate refuses what a run refuses, where it is, and its rem
   }
 }
 
-TEST_CASE("set-up: of a sweep each reason is told once, with the number of runs", "[set_up]") {
+TEST_CASE("set-up: for a sweep each reason is printed once, with the number of runs", "[set_up]") {
   Workplace place;
   place.write("roof.obj", roof);
   place.write("sweep.json", R"({"name": "sweep", "duration": 0.02, "mesh": {"file": "roof.obj"},
       "sweep": {"/bending/model": ["adaptive", "crossover", "dihedral"], "/duration": [0.02, 0.04]}})");
   CHECK(place.run("validate --strict sweep.json") == 3);
-  CHECK_THAT(place.err(), ContainsSubstring("and 3 more"));  // two models × two durations, one named
-  const std::string told = place.err();
-  CHECK(told.find("flat rest shape only") == told.rfind("flat rest shape only"));
+  CHECK_THAT(place.err(), ContainsSubstring("and 3 more"));  // two models × two durations, less the named run
+  const std::string message = place.err();
+  CHECK(message.find("flat rest shape only") == message.rfind("flat rest shape only"));
   CHECK_FALSE(std::filesystem::exists(place.folder / "results"));
 }
 
-TEST_CASE("set-up: what takes too long to build is not built unless asked for, and that is told",
+TEST_CASE("set-up: scenes that take too long to build are built only with --strict, and this is reported",
           "[set_up]") {
   Workplace place;
-  // Springs fitted on a million vertices: minutes.
+  // Fitting springs on a million vertices takes minutes.
   place.write("sweep.json", R"({"name": "sweep", "duration": 0.02, "bending": {"model": "adaptive"},
       "sweep": {"/mesh/cells": [4, 6, 1000]}})");
   CHECK(place.run("validate sweep.json") == 0);
   CHECK_THAT(place.err(),
-             ContainsSubstring("2 of 3 different scenes built") && ContainsSubstring("--strict"));
+             ContainsSubstring("2 of 3 different scenes checked") && ContainsSubstring("--strict"));
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// A run that starts where another one ends.
+// A run that starts where another run ends.
 #include "bendlab/scene/start_after.hpp"
 
 #include <numbers>
@@ -34,9 +34,10 @@ std::string problem(const std::string& settings) {
 
 }  // namespace
 
-TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond its outline") {
-  // Nothing acts on the run before: it ends as it starts, turned by 30 degrees, which is linear. The outlines
-  // of the two lattices differ by half a row.
+TEST_CASE(
+    "a pose is interpolated on another mesh of the sheet, and extrapolated linearly beyond its outline") {
+  // No force acts in the run before, so it ends as it starts: turned by 30 degrees, which is a linear pose.
+  // The outlines of the two lattices differ by half a row.
   for (const char* generator : {"equilateral", "grid", "delaunay", "disc"}) {
     const std::string mesh =
         std::string(R"("duration": 0.1, "effects": [], "pins": {"vertices": []}, "mesh": {"cells": 31,
@@ -44,7 +45,7 @@ TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond it
         generator + R"("}, "solver": {"precision": "double"}, )";
     const std::string after = mesh + R"("initial": {"after": ["/mesh/cells=12", "/initial/tilt=30"]})";
     const BuiltScene scene = started(after);
-    // The centres of the two boxes are one place of the sheet; it stays where the first mesh has it.
+    // The centres of the two boxes are the same place of the sheet. It stays where the first mesh has it.
     const Vector3 centre = scene.rest.centre(),
                   stays = build_scene(run_before(config_of(after))->scene()).rest.centre();
     const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
@@ -55,13 +56,13 @@ TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond it
       worst = std::max(worst, (scene.input.positions.row(v).transpose() - turned).norm());
     }
     INFO(generator << ": " << worst);
-    // A metre is rounded to 1e-16; 6 steps of ten rounds of some ten projections each add at most 600 of
-    // that, and linear extrapolation by up to two edges multiplies it by less than ten.
+    // Lengths of a metre have a rounding of 1e-16. 6 steps of ten iterations with about ten projections add
+    // at most 600 roundings, and linear extrapolation by up to two edges multiplies this by less than ten.
     CHECK(worst < 1e-12);
   }
 }
 
-TEST_CASE("a run starts where the one before it ends, bit for bit on the same mesh") {
+TEST_CASE("a run on the same mesh starts exactly where the run before ends") {
   const std::string fall = R"("mesh": {"cells": 6}, "solver": {"precision": "double"}, "duration": 0.5)";
   const RunConfig alone = config_of(fall);
   const BuiltScene scene = build_scene(alone.scene());
@@ -71,7 +72,7 @@ TEST_CASE("a run starts where the one before it ends, bit for bit on the same me
   CHECK(after.input.positions == simulation->positions());
 }
 
-TEST_CASE("an equilibrium does not depend on where the search for it started") {
+TEST_CASE("an equilibrium does not depend on the start of its search") {
   const std::string strip =
       R"("duration": 10, "mesh": {"generator": "equilateral", "width": 0.23, "height": 0.12,
       "rows": "perpendicular", "cells": 12}, "pins": {"vertices": ["left"], "ring": 1},
@@ -85,14 +86,14 @@ TEST_CASE("an equilibrium does not depend on where the search for it started") {
     REQUIRE(simulation->settled());
     return simulation->positions().col(2).minCoeff();
   };
-  // The last step of a settled search moves the cloth by at most 1e-6 of its size, 0.26 m, and a next one
-  // would by less: two searches end within 5.2e-7 m of each other, of a sag of more than half the length,
+  // The last step of a settled search moves the cloth by at most 1e-6 of its size of 0.26 m, and a further
+  // step by less. So two searches end within 5.2e-7 m of each other. The sag is more than half the length,
   // 0.115 m.
   CHECK_THAT(tip(strip + R"(, "initial": {"after": ["/mesh/cells=8"]})"),
              Catch::Matchers::WithinRel(tip(strip), 5e-6));
 }
 
-TEST_CASE("what is wrong with a run before is told when the config is read") {
+TEST_CASE("mistakes in the run before are reported when the config is read") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THAT(problem(R"("initial": {"after": ["/mesh/cels=3"]})"),
              ContainsSubstring("/mesh/cels") && ContainsSubstring("did you mean 'cells'"));
@@ -106,7 +107,7 @@ TEST_CASE("what is wrong with a run before is told when the config is read") {
              ContainsSubstring("outside"));
 }
 
-TEST_CASE("a run's id follows the run before") {
+TEST_CASE("the id of a run depends on the run before") {
   const auto id = [](const std::string& settings) { return run_id(config_of(settings)); };
   CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("duration": 4)"));
   CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("initial": {"after": ["/mesh/cells=5"]})"));

@@ -1,4 +1,4 @@
-// A cantilever from its config to `bendlab stiffness`, and runs that end when the cloth has come to rest.
+// A cantilever from its config to `bendlab stiffness`, and runs that end when the cloth is at rest.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ using Catch::Matchers::WithinRel;
 using nlohmann::json;
 using test::Workplace;
 
-// A lattice strip of 12 rows h = 0.021650635 m apart, two of vertices pinned: 11 h free.
+// A lattice strip of 12 rows, h = 0.021650635 m apart. Two rows of vertices are pinned, so 11 h are free.
 constexpr const char* cantilever = R"({"name": "tiny", "defaults": "paper",
           "duration": 10, "settled_speed": 0.005,
   "mesh": {"generator": "equilateral", "width": 0.25, "height": 0.14, "cells": 10, "rows": "perpendicular"},
@@ -44,7 +44,7 @@ RunConfig strip_config(const std::string& bending) {
 
 }  // namespace
 
-TEST_CASE("A cantilever says how stiff it is", "[command line]") {
+TEST_CASE("The stiffness of a cantilever is measured", "[command line]") {
   Workplace here;
   here.write("tiny.json", cantilever);
   REQUIRE(here.run("run tiny.json --json") == 0);
@@ -54,18 +54,18 @@ TEST_CASE("A cantilever says how stiff it is", "[command line]") {
   const json strip = here.out_lines().at(0);
   CHECK(strip.at("id") == run.at("id"));
   CHECK_THAT(strip.at("length").get<double>(), WithinRel(11 * row, 1e-6));
-  // A hinge on the last pinned row spans a row on either side: half a row more.
+  // A hinge on the last pinned row spans a row on either side. This adds half a row to the length.
   CHECK_THAT(strip.at("effective_length").get<double>(), WithinRel(11.5 * row, 1e-6));
   CHECK_THAT(strip.at("exclude").get<double>(), WithinRel(2 * row, 1e-6));
-  // D = 1 / compliance. Eleven rows, 800 projections a step and free sides that bend the other way too leave
-  // some per cent, in the fit more.
+  // D = 1 / compliance. Eleven rows, 800 projections per step, and free sides that also bend the other way
+  // cause errors of a few per cent, and more in the fit.
   CHECK_THAT(strip.at("flexural_rigidity").get<double>(), WithinRel(1e-3, 0.05));
   CHECK_THAT(strip.at("fit_exponent").get<double>(), WithinAbs(1, 0.15));
   CHECK_THAT(strip.at("fit_B").get<double>(), WithinRel(1e-3, 0.15));
   CHECK(strip.at("settling").get<double>() < 0.05);
   CHECK(strip.at("profile").size() == 10);
-  // The file keeps single precision, the summary was made before: 10⁻⁷ of a coordinate is 10⁻⁵ of a
-  // curvature.
+  // The file has single precision, but the summary was computed before rounding. 10⁻⁷ of a coordinate is 10⁻⁵
+  // of a curvature.
   for (const auto& [name, column] : {std::pair{"stiffness_flexural_rigidity", "flexural_rigidity"},
                                      {"stiffness_quartic", "quartic"},
                                      {"stiffness_fit_exponent", "fit_exponent"},
@@ -76,13 +76,13 @@ TEST_CASE("A cantilever says how stiff it is", "[command line]") {
                                      {"stiffness_bending_length", "bending_length"}})
     CHECK_THAT(summary.at(name).get<double>(), WithinRel(strip.at(column).get<double>(), 1e-3));
 
-  // It came to rest: the last half second was calm, and is the end of the file.
+  // The cloth came to rest: the file ends after a calm half second.
   const double settled_at = summary.at("settled_at").get<double>();
   CHECK(settled_at > 1);
-  CHECK_THAT(strip.at("time").get<double>(), WithinAbs(settled_at + 0.5, 0.02));  // a look every 1/60 s
+  CHECK_THAT(strip.at("time").get<double>(), WithinAbs(settled_at + 0.5, 0.02));  // checked every 1/60 s
   CHECK(strip.at("time").get<double>() < 10);
 
-  SECTION("as a table, of another frame, with another clamp") {
+  SECTION("as a table, for another frame, with another clamp") {
     REQUIRE(here.run("stiffness " + run.at("id").get<std::string>()) == 0);
     CHECK_THAT(here.out(), ContainsSubstring("flexural_rigidity") && ContainsSubstring("N m"));
     REQUIRE(here.run("stiffness results/tiny --json --frame 1 --clamp-offset 0 --exclude 0.01") == 0);
@@ -96,7 +96,7 @@ TEST_CASE("A cantilever says how stiff it is", "[command line]") {
   }
 }
 
-TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
+TEST_CASE("A run that is no cantilever has no measured stiffness", "[command line]") {
   Workplace here;
   here.write("cloth.json", R"({"name": "cloth", "defaults": "paper",
           "duration": 0.1, "mesh": {"cells": 8}})");
@@ -105,7 +105,7 @@ TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
   CHECK(here.run("stiffness results/cloth") == 1);
   CHECK_THAT(here.err(), ContainsSubstring("pin one whole side"));
   CHECK(here.run("run cloth.json --set '/output/measures=[\"stiffness\"]'") ==
-        3);  // said before it is computed
+        3);  // refused before the run starts
   CHECK_THAT(here.err(), ContainsSubstring("/output/measures") && ContainsSubstring("pin one whole side"));
   CHECK(here.run(
             "run cloth.json --set '/output/measures=[\"stiffness\"]' --set '/pins/vertices=[\"left\"]' --set "
@@ -114,7 +114,7 @@ TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
 }
 
 TEST_CASE("The clamp's offset follows from the reach of the bending model", "[stiffness]") {
-  // Rows h apart: springs of ring t span t rows, hinges two.
+  // Springs of ring t span t rows, which are h apart, and hinges span two rows.
   const RestMesh rest(equilateral(0.25, 0.14, 10, Rows::perpendicular));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 4);
   const auto options = [&](const std::string& bending) {
@@ -129,7 +129,7 @@ TEST_CASE("The clamp's offset follows from the reach of the bending model", "[st
   CHECK(
       options(R"({"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-3})").clamp_offset ==
       0);
-  // Whatever the vertices' numbers are.
+  // The numbers of vertices do not matter.
   TriangleMesh mesh = equilateral(0.25, 0.14, 10, Rows::perpendicular);
   std::vector<int> number(static_cast<std::size_t>(mesh.vertex_count()));
   std::iota(number.begin(), number.end(), 0);

@@ -1,4 +1,4 @@
-// What a strip's stiffness is read from, and when it is no stiffness.
+// How the stiffness of a strip is measured, and when the measurement is doubtful.
 #include <cmath>
 #include <string>
 
@@ -17,7 +17,7 @@ using test::Workplace;
 
 constexpr double rigidity = 2e-5;  // N m
 
-// A strip of 0.11 m that hangs from its left side, at rest: H/W is 6 (Γ = 98).
+// A strip of 0.11 m that hangs at rest from its left side, with H/W = 6 (Γ = 98).
 std::string hanging(const std::string& mesh, const std::string& more = "") {
   return R"({"name": "strip", "mesh": {"generator": "equilateral", "width": 0.12, "height": 0.05, )" + mesh +
          R"(}, "pins": {"vertices": ["left"], "distance": 0.01},
@@ -40,41 +40,42 @@ bool warned_of(const json& run, const std::string& code) {
   return false;
 }
 
-TEST_CASE("The rows of a lattice lie along the sides that are pinned", "[strip]") {
-  // Rows are straight; the sides across them zigzag.
+TEST_CASE("By default the rows of a lattice lie along the pinned sides", "[strip]") {
+  // Rows are straight, and the sides across the rows zigzag.
   CHECK(rows_of(R"("width": 2, "height": 1)", R"(["left"])") == "perpendicular");
   CHECK(rows_of(R"("width": 1, "height": 2)", R"(["left", "right"])") == "parallel");
   CHECK(rows_of(R"("width": 2, "height": 1)", R"(["top"])") == "parallel");
   CHECK(rows_of(R"("width": 1, "height": 2)", R"(["bottom"])") == "perpendicular");
   CHECK(rows_of(R"("height": 1)", R"(["right"])") == "perpendicular");  // the width is 1
-  // No side, or two that meet: as stated by default.
+  // Without a pinned side, or with two adjacent pinned sides, the rows have their usual default.
   CHECK(rows_of(R"("width": 2, "height": 1)", R"(["upper_left"])") == "parallel");
   CHECK(rows_of(R"("width": 2, "height": 1)", R"(["left", "top"])") == "parallel");
-  // What a config states stays.
+  // A direction that the config states is kept.
   CHECK(rows_of(R"("width": 2, "height": 1, "rows": "parallel")", R"(["left"])") == "parallel");
 }
 
-TEST_CASE("Both readings of a lattice strip have the stated rigidity", "[strip]") {
+TEST_CASE("Both measurements of a lattice strip give the stated rigidity", "[strip]") {
   Workplace here;
   here.write("strip.json", hanging(R"("cells": 12)", R"(, "sweep": {"/mesh/cells": [12, 24]})"));
   REQUIRE(here.run("run strip.json --json") == 0);
   for (const json& run : here.out_lines()) {
     INFO(run);
     const json& summary = run.at("summary");
-    // An edge is a twelfth of the strip, and it turns downward within a seventh: some percent.
+    // An edge is a twelfth of the strip, and the strip turns downwards within a seventh. This causes an error
+    // of a few percent.
     CHECK_THAT(summary.at("stiffness_flexural_rigidity").get<double>(), WithinRel(rigidity, 0.06));
     CHECK_THAT(summary.at("stiffness_fit_B").get<double>(), WithinRel(rigidity, 0.06));
     CHECK_FALSE(warned_of(run, "doubtful_stiffness"));
   }
 }
 
-TEST_CASE("A strip behind a clamp that zigzags is told, and is no reference", "[strip]") {
+TEST_CASE("A strip behind a zigzag clamp gets a warning and cannot be a reference", "[strip]") {
   Workplace here;
   here.write("strip.json", hanging(R"("cells": 12, "rows": "parallel")"));
   REQUIRE(here.run("run strip.json --json") == 0);
   const json run = here.out_lines().at(0), &summary = run.at("summary");
-  // The moments know nothing of the clamp. A vertex beyond it is joined to three that are held: the strip is
-  // stiff there, and hangs like a stiffer one.
+  // The moments do not depend on the clamp. But a vertex beside the clamp is joined to three pinned vertices.
+  // So the strip is stiff there and hangs like a stiffer strip.
   CHECK_THAT(summary.at("stiffness_fit_B").get<double>(), WithinRel(rigidity, 0.06));
   CHECK(summary.at("stiffness_flexural_rigidity").get<double>() > 1.2 * rigidity);
   CHECK(warned_of(run, "doubtful_stiffness"));
@@ -87,7 +88,7 @@ TEST_CASE("A strip behind a clamp that zigzags is told, and is no reference", "[
   REQUIRE(here.run("run error.json --json") == 0);
   const json compared = here.out_lines().at(0);
   CHECK_FALSE(compared.at("summary").contains("error_physical_rms"));
-  CHECK(compared.at("summary").contains("error_solver_rms"));  // of the solver, on whatever mesh
+  CHECK(compared.at("summary").contains("error_solver_rms"));  // the solver's error is valid on any mesh
   CHECK_THAT(compared.at("message").get<std::string>(),
              ContainsSubstring("its run cannot serve as a reference"));
 
@@ -96,7 +97,7 @@ TEST_CASE("A strip behind a clamp that zigzags is told, and is no reference", "[
   CHECK(here.out_lines().at(0).at("summary").contains("error_physical_rms"));
 }
 
-TEST_CASE("A strip that cannot show its stiffness is told with one that can", "[strip]") {
+TEST_CASE("A strip that cannot show its stiffness gets a warning that recommends a better strip", "[strip]") {
   Workplace here;
   const auto strip = [&](const std::string& width, const std::string& b, const std::string& cells,
                          const std::string& precision) {
@@ -112,21 +113,23 @@ TEST_CASE("A strip that cannot show its stiffness is told with one that can", "[
     REQUIRE(here.run("validate strip.json") == 0);
     return here.out() + here.err();
   };
-  // Soft: it turns downward within √(2 B / ρ g L) = 0.6 mm of the clamp, and an edge is 2.5 mm long.
+  // Too soft: the strip turns downwards within √(2 B / ρ g L) = 0.6 mm of the clamp, but an edge is 2.5 mm
+  // long.
   const std::string soft = strip("0.3", "1e-7", "120", "auto");
   CHECK_THAT(soft, ContainsSubstring("strip_out_of_range") && ContainsSubstring("too soft"));
-  // Stiff: Γ = ρ g L³ / B = 1.6e-5, so that it drops by 2e-6 of its length.
+  // Too stiff: Γ = ρ g L³ / B = 1.6e-5, so the strip drops by only 2e-6 of its length.
   CHECK_THAT(strip("0.02", "1", "40", "single"), ContainsSubstring("too stiff"));
   CHECK_THAT(strip("0.02", "1", "40", "double"), !ContainsSubstring("strip_out_of_range"));
   CHECK_THAT(strip("0.12", "2e-5", "24", "auto"), !ContainsSubstring("strip_out_of_range"));
 
-  // The strip that is recommended for B = 1e-7: with H/W = 1 the heavy elastica has Γ = ρ g L³ / B = 9.3, so
-  // that L = 7.8 mm.
+  // The recommended strip for B = 1e-7: the heavy elastica with H/W = 1 has Γ = ρ g L³ / B = 9.3, so L = 7.8
+  // mm.
   CHECK_THAT(soft, ContainsSubstring("about 0.0078 m"));
 }
 
-TEST_CASE("The strip that is recommended is read within 3 %", "[strip]") {
-  // B = 1e-3 N m, ρ g = 0.2 · 9.81: L = (9.3 B / ρ g)^(1/3) = 0.168 m, in 14 rows behind two of the clamp.
+TEST_CASE("The measured rigidity of the recommended strip is right within 3 %", "[strip]") {
+  // B = 1e-3 N m and ρ g = 0.2 · 9.81 give L = (9.3 B / ρ g)^(1/3) = 0.168 m, in 14 rows behind two rows of
+  // the clamp.
   Workplace here;
   here.write("strip.json", R"({"name": "strip",
       "mesh": {"generator": "equilateral", "width": 0.182, "height": 0.06, "cells": 13},
@@ -142,7 +145,7 @@ TEST_CASE("The strip that is recommended is read within 3 %", "[strip]") {
   CHECK(run.at("warnings").empty());
 }
 
-TEST_CASE("Readings are compared in the law that the shape shows", "[strip]") {
+TEST_CASE("Measurements are compared by the law that the shape shows", "[strip]") {
   const auto summary = [](double exponent, double b, double fit_b, double c, double fit_c) {
     return std::map<std::string, double>{{"stiffness_fit_exponent", exponent},
                                          {"stiffness_flexural_rigidity", b},

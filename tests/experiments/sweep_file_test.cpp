@@ -1,4 +1,4 @@
-// The sweep's own file: which runs belong to a sweep, before and after they are computed.
+// The file of a sweep lists its runs, before and after they are computed.
 #include "experiments/campaign/sweep_file.hpp"
 
 #include "bendlab/io/run_file.hpp"
@@ -20,7 +20,7 @@ json sweep_in(const Workplace& place, const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("sweep file: has every run of the sweep with its place, id and folder", "[campaign]") {
+TEST_CASE("sweep file: it has every run of the sweep with its place, id and folder", "[campaign]") {
   Workplace place;
   place.write("first.json", R"({"name": "s", "defaults": "paper", "duration": 0.05, "effects": [],
       "sweep": {"/mesh/cells": [2, 3], "/bending/model": ["none", "lod"], "/bending/lod/t": [1, 2]}})");
@@ -29,7 +29,7 @@ TEST_CASE("sweep file: has every run of the sweep with its place, id and folder"
   CHECK(sweep["axes"]["/bending/lod/t"] == json({1, 2}));
   CHECK(sweep["models"]["lod"]["label"] == "LOD");
   CHECK(sweep["settings"]["duration"] == 0.05);
-  REQUIRE(sweep["runs"].size() == 2 * (1 + 2));  // none has no rings t
+  REQUIRE(sweep["runs"].size() == 2 * (1 + 2));  // the model none has no setting t
   CHECK(sweep["runs"][0]["point"] == json({{"/mesh/cells", 2}, {"/bending/model", "none"}}));
   for (const json& run : sweep["runs"]) {
     const auto file = place.folder / "results/s" / run["folder"].get<std::string>() / "run.vtkhdf";
@@ -41,7 +41,7 @@ TEST_CASE("sweep file: has every run of the sweep with its place, id and folder"
   }
 }
 
-TEST_CASE("sweep file: a trial with other settings does not replace the sweep as it is written",
+TEST_CASE("sweep file: a trial run with other settings does not replace the file of the written sweep",
           "[campaign]") {
   Workplace place;
   place.write("first.json",
@@ -54,7 +54,7 @@ TEST_CASE("sweep file: a trial with other settings does not replace the sweep as
   CHECK(std::distance(std::filesystem::directory_iterator(place.folder / "results/s"), {}) == 2 + 3);
 }
 
-TEST_CASE("sweep file: nothing is created where a file that a config names can't be read", "[campaign]") {
+TEST_CASE("sweep file: nothing is created if a file that a config names cannot be read", "[campaign]") {
   Workplace place;
   place.write("sound.json", R"({"name": "s", "defaults": "paper", "duration": 0.05})");
   place.write("ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n");
@@ -73,32 +73,33 @@ TEST_CASE("sweep file: nothing is created where a file that a config names can't
   }
 }
 
-TEST_CASE("run config: what follows from its settings is derived once", "[config]") {
+TEST_CASE("run config: data derived from its settings are computed once", "[config]") {
   const RunConfig config = parse_experiment(R"({"name": "s", "defaults": "paper",
           "initial": {"after": ["/duration=2"]}})",
                                             "test")
                                .runs.front();
-  int made = 0;
+  int derivations = 0;
   const auto make = [&] {
-    ++made;
+    ++derivations;
     return std::optional<RunConfig>();
   };
   const RunConfig copy = config;
   CHECK_FALSE(config.derived("one", make));
   CHECK_FALSE(copy.derived("one", make));
-  CHECK(made == 1);
+  CHECK(derivations == 1);
   CHECK(&copy.scene() == &config.scene());
   CHECK(run_before(config)->scene().duration == 2);
 
   const auto fail = [&]() -> std::optional<RunConfig> {
-    ++made;
+    ++derivations;
     throw ConfigError("it", {{"/a", "is wrong"}});
   };
   for (int again = 0; again < 2; ++again) CHECK_THROWS_AS(config.derived("two", fail), ConfigError);
-  CHECK(made == 2);
+  CHECK(derivations == 2);
 }
 
-TEST_CASE("run config: settings of another version are refused by name", "[config]") {
+TEST_CASE("run config: unknown settings of another version are refused, and the message names them",
+          "[config]") {
   Json resolved = parse_experiment(R"({"name": "s", "defaults": "paper"})", "test").runs.front().resolved();
   CHECK_NOTHROW(stored_run(resolved));
   resolved["solver"]["order"] = "by_colour";

@@ -48,26 +48,26 @@ const std::string two_axes =
 
 }  // namespace
 
-TEST_CASE("sweep: every combination in order, the last axis fastest") {
+TEST_CASE("sweep: runs are all combinations in order, and the last axis varies fastest") {
   const Experiment swept = experiment(two_axes);
   CHECK(values(swept, "/mesh/cells") == Texts{"16", "32", "64", "16", "32", "64"});
   CHECK(values(swept, "/bending/model") == Texts{"\"crossover\"", "\"crossover\"", "\"crossover\"",
                                                  "\"adaptive\"", "\"adaptive\"", "\"adaptive\""});
   REQUIRE(swept.axes.size() == 2);
   CHECK(swept.axes[1].first == "/mesh/cells");
-  CHECK(swept.axes[1].second[1].dump() == "32");  // 32.0 of a whole number
+  CHECK(swept.axes[1].second[1].dump() == "32");  // 32.0 is a whole number
   REQUIRE(swept.runs[4].point.size() == 2);
   CHECK(swept.runs[4].point[0] == std::pair<std::string, Json>("/bending/model", "adaptive"));
   CHECK(swept.runs[4].point[1] == std::pair<std::string, Json>("/mesh/cells", 32));
 }
 
-TEST_CASE("sweep: axes with the same last name are headed by their pointers") {
+TEST_CASE("sweep: axes with the same last name have their pointers as headings") {
   CHECK(axis_headings(
             experiment(R"("sweep": {"/mesh/seed": [1], "/mesh/cells": [4], "/initial/seed": [1, 2]})")) ==
         Texts{"/mesh/seed", "cells", "/initial/seed"});
 }
 
-TEST_CASE("sweep: each run has the settings that it has alone") {
+TEST_CASE("sweep: a run of a sweep has the same settings as a single run") {
   const Experiment swept = experiment(R"("sweep": {
       "/mesh": [{"cells": 3}, {"generator": "disc", "cells": 4}, {}],
       "/bending": [{"model": "k_ring", "k_ring": {"k": 3}}, {"model": "k_ring"}, {"model": "none"}],
@@ -85,7 +85,7 @@ TEST_CASE("sweep: each run has the settings that it has alone") {
   }
 }
 
-TEST_CASE("sweep: a run and its folder are named after its place") {
+TEST_CASE("sweep: a run and its folder are named after the place in the sweep") {
   const Experiment swept =
       experiment(R"("sweep": {"/mesh/cells": [8, 16], "/bending/model": ["lod", "isometric"]})");
   const Experiment single = experiment(R"("mesh": {"cells": 8})");
@@ -95,14 +95,14 @@ TEST_CASE("sweep: a run and its folder are named after its place") {
   CHECK(run_folder("out", swept, third, "0123") == "out/t/cells=16,model=lod-0123");
   CHECK(run_text(single, single.runs.at(0)) == "t");
   CHECK(place_text(single, single.runs.at(0)) == "t");
-  // An object is told by the settings in which it differs from the others.
+  // An object is named by the settings in which it differs from the other objects.
   const Experiment objects = experiment(R"("sweep": {"/solver": [
       {"dt": 0.01, "substeps": 8}, {"dt": 0.01, "method": "pbd", "substeps": 4}, {"dt": 0.01}]})");
   CHECK(place_text(objects, objects.runs.at(0)) == "solver substeps 8");
   CHECK(place_text(objects, objects.runs.at(1)) == "solver pbd, substeps 4");
   CHECK(place_text(objects, objects.runs.at(2)) == "solver as it is");
-  const Experiment one = experiment(R"("sweep": {"/solver": [{"substeps": 2, "iterations": 3}]})");
-  CHECK(place_text(one, one.runs.at(0)) == "solver iterations 3, substeps 2");
+  const Experiment merged = experiment(R"("sweep": {"/solver": [{"substeps": 2, "iterations": 3}]})");
+  CHECK(place_text(merged, merged.runs.at(0)) == "solver iterations 3, substeps 2");
   const Experiment lists = experiment(R"("sweep": {"/pins": [{"vertices": ["top"]}, {"indices": [3, 4]}]})");
   CHECK(place_text(lists, lists.runs.at(1)) == "pins indices [3,4]");
   CHECK(run_folder("out", single, single.runs.at(0), "0123") == "out/t/0123");
@@ -112,7 +112,7 @@ TEST_CASE("sweep: an empty sweep is a single run") {
   CHECK(experiment(R"("sweep": {})").runs.size() == 1);
 }
 
-TEST_CASE("sweep: points that are the same run are merged, their label names what they depend on") {
+TEST_CASE("sweep: points with the same run are merged, and the label names only the settings that matter") {
   const Experiment swept = experiment(R"("sweep": {
     "/bending/model": ["crossover", "adaptive"], "/bending/adaptive/m_rounding": ["floor", "round"]})");
   REQUIRE(swept.runs.size() == 3);  // crossover once, adaptive twice
@@ -172,16 +172,16 @@ TEST_CASE("sweep: pointers must name a setting, lists must hold allowed values")
                 "overwrite '/bending/k'");
 }
 
-TEST_CASE("sweep: what a sweep replaces is checked too") {
+TEST_CASE("sweep: settings that a sweep replaces are checked, too") {
   check_problem(R"("mesh": {"cells": 0}, "sweep": {"/mesh/cells": [8]})", "/mesh/cells", "got 0");
 }
 
-TEST_CASE("sweep: values that do not go together are refused") {
+TEST_CASE("sweep: values that contradict each other are refused") {
   check_problem(R"("mesh": {"file": "a.obj"}, "sweep": {"/mesh/generator": ["grid"]})",
                 "/sweep/~1mesh~1generator/0", "does not go with /mesh/file");
   check_problem(R"("sweep": {"/mesh/file": [null, "a.obj"], "/mesh/generator": ["grid", "disc"]})",
                 "/sweep/~1mesh~1file/1", "with this value /mesh/generator: does not go with /mesh/file");
-  // Each value is right by itself; one of the four combinations lists an effect twice.
+  // Every value is valid alone, but one of the four combinations lists an effect twice.
   check_problem(R"("effects": [{"type": "gravity"}, {"type": "rigid_damping"}], "sweep": {
                    "/effects/0/type": ["gravity", "constraint_damping"],
                    "/effects/1/type": ["rigid_damping", "constraint_damping"]})",
@@ -189,7 +189,7 @@ TEST_CASE("sweep: values that do not go together are refused") {
                 R"((at /effects/0/type = "constraint_damping", /effects/1/type = "constraint_damping"))");
 }
 
-TEST_CASE("sweep: a slip of too many combinations is refused") {
+TEST_CASE("sweep: too many combinations are refused") {
   std::string list = "[1";
   for (int i = 2; i <= 101; ++i) list += ", " + std::to_string(i);
   list += "]";
@@ -198,13 +198,13 @@ TEST_CASE("sweep: a slip of too many combinations is refused") {
   check_problem(sweep, "/sweep", "more than 10000 combinations");  // 101² = 10201
 }
 
-TEST_CASE("override: an axis of its own is replaced, though another one sweeps the whole it lies in") {
+TEST_CASE("override: an axis is replaced, although another axis sweeps the object around it") {
   const std::string sweep =
       R"("sweep": {"/mesh": [{"cells": 2}, {"generator": "disc"}], "/mesh/cells": [4, 8]})";
   CHECK(experiment(sweep).runs.size() == 4);
-  const Experiment one = experiment(sweep, {"/mesh/cells=6"});
-  REQUIRE(one.runs.size() == 2);
-  for (const RunConfig& run : one.runs) CHECK(run.scene().mesh.cells == 6);
+  const Experiment overridden = experiment(sweep, {"/mesh/cells=6"});
+  REQUIRE(overridden.runs.size() == 2);
+  for (const RunConfig& run : overridden.runs) CHECK(run.scene().mesh.cells == 6);
 }
 
 TEST_CASE("override: sets a value, creating objects on the way") {
@@ -227,7 +227,7 @@ TEST_CASE("override: sets a value, creating objects on the way") {
   CHECK(experiment(R"("duration": 1)", {"/name=2024"}).name == "2024");
 }
 
-TEST_CASE("override: on a swept pointer it replaces the axis") {
+TEST_CASE("override: a value at a swept pointer replaces the axis") {
   CHECK(values(experiment(two_axes, {"/mesh/cells=8"}), "/mesh/cells") == Texts{"8", "8"});
   CHECK(values(experiment(two_axes, {"/mesh/cells=[8, 9]", "/bending/model=none"}), "/mesh/cells") ==
         Texts{"8", "9"});
@@ -240,12 +240,12 @@ TEST_CASE("override: on a swept pointer it replaces the axis") {
         1);
 }
 
-TEST_CASE("override: inside a swept object it changes every value of the axis") {
+TEST_CASE("override: a value inside a swept object changes every value of the axis") {
   const std::string swept = R"("sweep": {"/bending": [{"model": "lod"}, {"model": "none", "k": 1}]})";
   CHECK(values(experiment(swept, {"/bending/k=0.25"}), "/bending/k") == Texts{"0.25", "0.25"});
 }
 
-TEST_CASE("override: sweep and expectations can be set themselves") {
+TEST_CASE("override: the sweep and the expectations can be replaced") {
   CHECK(values(experiment(R"("duration": 1)", {"/sweep/~1mesh~1cells=[4, 5]"}), "/mesh/cells") ==
         Texts{"4", "5"});
   CHECK(experiment(two_axes, {"/sweep={}"}).runs.size() == 1);
@@ -256,7 +256,7 @@ TEST_CASE("override: sweep and expectations can be set themselves") {
             .expectations.empty());
 }
 
-TEST_CASE("override: wrong ones are refused") {
+TEST_CASE("override: wrong overrides are refused") {
   const std::string rest = R"("duration": 1)";
   check_problem(rest, "/mesh/cels", "did you mean '/mesh/cells'?", {"/mesh/cels=8"});
   check_problem(rest, "", "not of the form /json/pointer=value", {"/mesh/cells"});
@@ -265,5 +265,5 @@ TEST_CASE("override: wrong ones are refused") {
   check_problem(rest, "/mesh/cells", "got the text \"[8,\"", {"/mesh/cells=[8,"});
   check_problem(rest, "/mesh/cells", "got a list", {"/mesh/cells=[8, 9]"});
   check_problem(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})", "/effects/0/acceleration",
-                "not every value that is swept", {"/effects/0/acceleration=[0,0,0]"});
+                "not every swept value of", {"/effects/0/acceleration=[0,0,0]"});
 }

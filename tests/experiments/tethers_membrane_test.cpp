@@ -1,4 +1,4 @@
-// Tethers and a membrane of stated stiffness: a sheet that hangs by its upper side is elongated by α ρ g
+// Tethers and a membrane of stated stiffness: the elongation of a sheet that hangs by its upper side is α ρ g
 // L²/2.
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ RunConfig hanging(double compliance, int substeps, const std::string& effects) {
       .runs.front();
 }
 
-// How far the lower side hangs below the pins beyond the size of the sheet, in the mean, m.
+// The mean elongation: how much farther below the pins the lower side hangs than at rest, m.
 double elongation(double compliance, int substeps, const std::string& effects) {
   const BuiltScene scene = build_scene(hanging(compliance, substeps, effects).scene());
   const auto simulation = simulation_of(scene);
@@ -47,9 +47,9 @@ const std::string tethers = R"(, {"type": "tethers"})";
 
 }  // namespace
 
-TEST_CASE("tethers leave a membrane alone that substeps resolve", "[experiments]") {
-  // Rows of lumped masses are elongated as much as the continuum: Σ (j - ½) over n rows is n²/2. Projections
-  // leave C²/n, up to 0.01 here, and one diagonal shears the sheet a little.
+TEST_CASE("tethers do not act if substeps resolve the stiffness of the membrane", "[experiments]") {
+  // Rows of lumped masses have the same elongation as the continuum: Σ (j - ½) over n rows is n²/2.
+  // Projections have an error of C²/n, up to 0.01 here, and the parallel diagonals shear the sheet a little.
   for (const auto& [compliance, substeps] : {std::pair{0.1, 8}, {0.1, 64}, {0.02, 64}, {0.002, 64}}) {
     CAPTURE(compliance, substeps);
     const double stated = compliance * density * g * size * size / 2;
@@ -57,11 +57,13 @@ TEST_CASE("tethers leave a membrane alone that substeps resolve", "[experiments]
   }
 }
 
-TEST_CASE("tethers hold a membrane that substeps do not resolve, and a warning says so", "[experiments]") {
+TEST_CASE("tethers hold a membrane whose stiffness substeps do not resolve, and a warning reports this",
+          "[experiments]") {
   const BuiltScene scene = build_scene(hanging(1e-4, 8, tethers).scene());
   REQUIRE(excess_stretch(scene) > 1);
   CHECK_FALSE(membrane_needs_no_tethers(scene));
-  CHECK(std::abs(elongation(1e-4, 8, tethers)) < 1e-5);  // 8.5e-5 is stated, and 1e-3 is left without tethers
+  // The stated elongation is 8.5e-5. Without tethers it would be 1e-3.
+  CHECK(std::abs(elongation(1e-4, 8, tethers)) < 1e-5);
   CHECK(elongation(1e-4, 8, "") > 5e-4);
 }
 

@@ -1,5 +1,5 @@
-// Stiffnesses, lengths and masses at the ends of what numbers hold: a sheet that hardly bends back hangs as
-// if it did not at all, whatever the precision, and nothing becomes infinite.
+// Stiffnesses, lengths and masses near the smallest and largest numbers. In any precision, a sheet with
+// hardly any bending stiffness hangs like a sheet without, and no number becomes infinite.
 #include <cmath>
 #include <string>
 
@@ -27,7 +27,7 @@ double drop_without_bending(Workplace& here, const std::string& more = "") {
   return here.out_lines().at(0).at("summary").at("drop").get<double>();
 }
 
-TEST_CASE("A sheet that hardly bends back hangs as one without bending", "[tiny]") {
+TEST_CASE("A sheet with hardly any bending stiffness hangs like a sheet without", "[tiny]") {
   Workplace here;
   const double drop = drop_without_bending(here);
   here.write("tiny.json", config(R"({"flexural_rigidity": 1e-20})", R"(,
@@ -39,12 +39,12 @@ TEST_CASE("A sheet that hardly bends back hangs as one without bending", "[tiny]
   for (const json& run : here.out_lines()) {
     INFO(run.at("point"));
     CHECK(run.at("status") == "complete");
-    // Another model is another order of the constraints, and so another rounding: of single precision.
+    // Another model means another order of constraints, so the rounding in single precision differs.
     CHECK_THAT(run.at("summary").at("drop").get<double>(), WithinRel(drop, 1e-3));
   }
 }
 
-TEST_CASE("A compliance beyond all numbers of single precision is no bending", "[tiny]") {
+TEST_CASE("A compliance beyond the range of single precision means no bending stiffness", "[tiny]") {
   Workplace here;
   const double drop = drop_without_bending(here);
   here.write("soft.json", config(R"({"compliance": 1})", R"(,
@@ -57,7 +57,7 @@ TEST_CASE("A compliance beyond all numbers of single precision is no bending", "
   }
 }
 
-TEST_CASE("Implicit steps and an equilibrium hold a tiny rigidity, too", "[tiny]") {
+TEST_CASE("Implicit steps and an equilibrium work with a tiny rigidity, too", "[tiny]") {
   Workplace here;
   const std::string membrane = R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}})";
   for (const std::string method : {"quasi_newton", "vbd", "newton"}) {
@@ -70,7 +70,7 @@ TEST_CASE("Implicit steps and an equilibrium hold a tiny rigidity, too", "[tiny]
     REQUIRE(here.run("run tiny.json --json") == 0);
     for (const json& run : here.out_lines()) {
       INFO(run.at("point"));
-      // Iterations that have not converged leave something else where the order of a sum is another.
+      // Iterations have not converged, so the result depends slightly on the order of sums.
       CHECK_THAT(run.at("summary").at("drop").get<double>(), WithinRel(drop, 0.01));
     }
   }

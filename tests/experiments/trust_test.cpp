@@ -1,4 +1,5 @@
-// What a person, a disk or another program may do to configs, meshes and results: nothing wrong in silence.
+// A person, a disk or another program may damage configs, meshes and results. No wrong result may go
+// unnoticed.
 #include <sys/stat.h>
 
 #include <filesystem>
@@ -23,7 +24,7 @@ namespace {
 
 constexpr const char* tiny = R"({"name": "tiny", "mesh": {"cells": 3}, "duration": 0.1})";
 
-// Of the one run that is there.
+// The file of the only run.
 fs::path only_run(const Workplace& place) {
   const auto files = place.run_files(".vtkhdf");
   REQUIRE(files.size() == 1);
@@ -37,7 +38,7 @@ bool reused(Workplace& place) {
 
 }  // namespace
 
-TEST_CASE("trust: a run file that was changed is set aside and computed again", "[trust]") {
+TEST_CASE("trust: a changed run file is set aside, and the run is computed again", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   CHECK_FALSE(reused(place));
@@ -56,7 +57,7 @@ TEST_CASE("trust: a run file that was changed is set aside and computed again", 
   CHECK(reused(place));
 }
 
-TEST_CASE("trust: a run file that was copied from another run is not that run's result", "[trust]") {
+TEST_CASE("trust: a run file copied from another run is not accepted as a result", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   CHECK_FALSE(reused(place));
@@ -68,7 +69,7 @@ TEST_CASE("trust: a run file that was copied from another run is not that run's 
   CHECK_THAT(place.err(), ContainsSubstring("is the file of another run"));
 }
 
-TEST_CASE("trust: files that are no runs do not keep others from being listed", "[trust]") {
+TEST_CASE("trust: files that are no runs do not prevent the listing of runs", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   CHECK_FALSE(reused(place));
@@ -90,7 +91,7 @@ TEST_CASE("trust: --force keeps the old file until the new one replaces it", "[t
   CHECK(place.run("run tiny.json --set /duration=0.1") == 0);
   const fs::path file = only_run(place);
   const auto before = fs::last_write_time(file);
-  // No room for more than a few frames.
+  // The disk has room for only a few frames.
   CHECK(place.run("run tiny.json --set /duration=0.1 --force",
                   "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" +
                       std::string(places::program)) == 5);
@@ -100,7 +101,7 @@ TEST_CASE("trust: --force keeps the old file until the new one replaces it", "[t
   CHECK(fs::last_write_time(file) > before);
 }
 
-TEST_CASE("trust: --force that is stopped keeps the old file", "[trust]") {
+TEST_CASE("trust: if --force is stopped, the old file stays", "[trust]") {
   Workplace place;
   place.write("tiny.json", R"({"name": "tiny", "mesh": {"cells": 20}, "duration": 4})");
   CHECK(place.run("run tiny.json") == 0);
@@ -112,7 +113,7 @@ TEST_CASE("trust: --force that is stopped keeps the old file", "[trust]") {
   CHECK(reused(place));
 }
 
-TEST_CASE("trust: a finished file without its checksum is used by nobody", "[trust]") {
+TEST_CASE("trust: no command uses a finished file without checksum", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   CHECK_FALSE(reused(place));
@@ -126,7 +127,7 @@ TEST_CASE("trust: a finished file without its checksum is used by nobody", "[tru
   CHECK_FALSE(reused(place));
 }
 
-TEST_CASE("trust: closed standard streams are not the run file", "[trust]") {
+TEST_CASE("trust: with closed standard streams, no output goes into the run file", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   CHECK(place.run("validate tiny.json 2>&-") == 0);
@@ -152,7 +153,7 @@ TEST_CASE("trust: times that cannot be simulated are errors", "[trust]") {
   CHECK(place.run("validate tiny.json --set /solver/dt=0.1") == 0);
 }
 
-TEST_CASE("trust: pipes, devices and folders are no configs and no meshes", "[trust]") {
+TEST_CASE("trust: pipes, devices and folders are refused as configs and meshes", "[trust]") {
   Workplace place;
   place.write("tiny.json", R"({"name": "tiny", "duration": 0.1})");
   REQUIRE(mkfifo((place.folder / "pipe.obj").c_str(), 0600) == 0);
@@ -168,7 +169,7 @@ TEST_CASE("trust: pipes, devices and folders are no configs and no meshes", "[tr
   }
 }
 
-TEST_CASE("trust: validate looks at meshes, pins and warnings", "[trust]") {
+TEST_CASE("trust: validate checks meshes, pins and warnings", "[trust]") {
   Workplace place;
   place.write("sheet.json", R"({"name": "sheet", "mesh": {"cells": 4}, "duration": 0.1})");
   CHECK(place.run("validate sheet.json") == 0);
@@ -183,34 +184,34 @@ TEST_CASE("trust: validate looks at meshes, pins and warnings", "[trust]") {
   place.write("empty.obj", "# nothing\n");
   CHECK(place.run("validate file.json --set /mesh/file=empty.obj") == 4);
   CHECK_THAT(place.err(), ContainsSubstring("has no triangles") && ContainsSubstring("export the mesh"));
-  // A warning is told, and an error where it is to be one.
+  // A warning is printed, and with --strict it is an error.
   CHECK(place.run("validate sheet.json --set /mesh/width=100 --set /mesh/height=100") == 0);
   CHECK_THAT(place.err(), ContainsSubstring("warning") && ContainsSubstring("units"));
   CHECK(place.run("validate sheet.json --set /mesh/width=100 --set /mesh/height=100 --strict") == 1);
 }
 
-TEST_CASE("trust: what a terminal may show of others' texts", "[trust]") {
+TEST_CASE("trust: texts from files are masked before they are printed on a terminal", "[trust]") {
   CHECK(printable("plain, ä € 𝄞\tand\nlines") == "plain, ä € 𝄞\tand\nlines");
   CHECK(printable("two\nlines\t", Lines::escape) == "two\\u000alines\\u0009");
   CHECK(printable("\x1b[31m\x07\x7f") == "\\u001b[31m\\u0007\\u007f");
   CHECK(printable("\xc2\x9b|\xe2\x80\xae|\xe2\x81\xa6|\xd8\x9c") == "\\u009b|\\u202e|\\u2066|\\u061c");
-  // No UTF-8: bytes alone, cut off, too long for what they say, half of a pair.
+  // Invalid UTF-8: single bytes, cut off sequences, overlong sequences, half of a surrogate pair.
   CHECK(printable("\x9b\xff") == "\\ufffd\\ufffd");
   CHECK(printable("\xe2\x82") == "\\ufffd\\ufffd");
   CHECK(printable("\xc0\x9b") == "\\ufffd\\ufffd");
   CHECK(printable("\xed\xa0\x80") == "\\ufffd\\ufffd\\ufffd");
 }
 
-TEST_CASE("trust: a cloth that diverges on a mesh obstacle ends its own run alone", "[trust]") {
+TEST_CASE("trust: cloth that diverges on a mesh obstacle ends only its own run", "[trust]") {
   const WithoutTraps infinities;  // on purpose
   const MeshSurface surface(grid(2, 2, 1, 1));
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const Vector3& x : {Vector3(nan, 0, 0), Vector3(0, inf, 0), Vector3(1e300, 0, -inf)}) {
     CHECK(surface.nearest(x).distance == inf);
     CHECK_FALSE(surface.first_crossing(x, Vector3::Zero()));
-    std::vector<int> found;
-    surface.triangles_in_box(x, x, found);
-    CHECK(found.empty());
+    std::vector<int> triangles;
+    surface.triangles_in_box(x, x, triangles);
+    CHECK(triangles.empty());
   }
   Workplace place;
   place.write("ball.obj",
@@ -224,7 +225,8 @@ TEST_CASE("trust: a cloth that diverges on a mesh obstacle ends its own run alon
   CHECK(place.out_lines().size() == 4);
 }
 
-TEST_CASE("trust: an axis can be added on the command line, and results be chosen and sorted", "[trust]") {
+TEST_CASE("trust: an axis can be added on the command line, and results can be selected and sorted",
+          "[trust]") {
   Workplace place;
   place.write("tiny.json",
               R"({"$schema": "schema.json", "name": "tiny", "mesh": {"cells": 3}, "duration": 0.1})");
@@ -250,12 +252,12 @@ TEST_CASE("trust: an axis can be added on the command line, and results be chose
                                 ContainsSubstring("'/mesh/cells'"));
   }
   CHECK(place.run("list --sort dorp") == 2);
-  CHECK_THAT(place.err(), ContainsSubstring("no run has the number 'dorp'") && ContainsSubstring("'drop'"));
+  CHECK_THAT(place.err(), ContainsSubstring("no run has the metric 'dorp'") && ContainsSubstring("'drop'"));
   CHECK(place.run("run tiny.json --sweep cells") == 2);
   for (const char* both : {"--sweep /duration=0.1,0.2 --set /duration=0.3",
                            "--sweep /duration=0.1,0.2 --sweep /duration=0.3,0.4"}) {
     CHECK(place.run(std::string("plan tiny.json ") + both) == 3);
-    CHECK_THAT(place.err(), ContainsSubstring("by another override, too"));
+    CHECK_THAT(place.err(), ContainsSubstring("another override sets or sweeps the same setting"));
   }
   CHECK(place.run("plan tiny.json --sweep /solver/sweep=all --json") == 0);
   CHECK(place.out_lines().size() == 2);  // forward and symmetric
@@ -268,40 +270,40 @@ TEST_CASE("trust: two runs, and two sweeps, are compared", "[trust]") {
     REQUIRE(place.run("run tiny.json --json " + arguments) == 0);
     return place.out_lines().at(0).at("id").get<std::string>();
   };
-  const std::string one = run("--out a"), again = run("--out b"),
-                    other = run("--out a --set /material/density=0.4"),
+  const std::string first = run("--out a"), again = run("--out b"),
+                    denser = run("--out a --set /material/density=0.4"),
                     finer = run("--out a --set /mesh/cells=4");
   const auto compared = [&](const std::string& arguments) {
     REQUIRE(place.run("compare " + arguments + " --json") == 0);
     return place.out_lines().at(0);
   };
-  json found = compared("a/tiny/" + one + " b/tiny/" + again);
-  CHECK(found.at("same_bits") == true);
-  CHECK(found.at("settings").empty());
-  CHECK(found.at("cloth").at("rms") == 0);
-  found = compared(one + " " + other + " --results a");
-  CHECK(found.at("settings") ==
+  json difference = compared("a/tiny/" + first + " b/tiny/" + again);
+  CHECK(difference.at("same_bits") == true);
+  CHECK(difference.at("settings").empty());
+  CHECK(difference.at("cloth").at("rms") == 0);
+  difference = compared(first + " " + denser + " --results a");
+  CHECK(difference.at("settings") ==
         json::array({{{"pointer", "/material/density"}, {"one", 0.2}, {"other", 0.4}}}));
-  CHECK(found.at("same_bits") == false);
-  found = compared(one + " " + finer + " --results a");
-  bool told = false;
-  for (const json& number : found.at("summary"))
-    if (number.at("name") == "vertices") {
-      CHECK(number.at("relative").get<double>() == 25.0 / 16 - 1);
-      told = true;
+  CHECK(difference.at("same_bits") == false);
+  difference = compared(first + " " + finer + " --results a");
+  bool has_vertices = false;
+  for (const json& metric : difference.at("summary"))
+    if (metric.at("name") == "vertices") {
+      CHECK(metric.at("relative").get<double>() == 25.0 / 16 - 1);
+      has_vertices = true;
     }
-  CHECK(told);
-  CHECK(found.at("cloth").at("hausdorff").get<double>() > 0);
+  CHECK(has_vertices);
+  CHECK(difference.at("cloth").at("hausdorff").get<double>() > 0);
   REQUIRE(place.run("run tiny.json --out c --sweep /mesh/cells=3,4") == 0);
   REQUIRE(place.run("run tiny.json --out d --sweep /mesh/cells=4,5 --set /material/density=0.4") == 0);
   REQUIRE(place.run("compare c d --json") == 0);
   CHECK(place.out_lines().size() == 1);
   REQUIRE(place.run("compare c d") == 0);
-  CHECK_THAT(place.out(), ContainsSubstring("1 point in both; 1 only in one, 1 only in other"));
+  CHECK_THAT(place.out(), ContainsSubstring("1 point in both, 1 only in ONE, 1 only in OTHER"));
   CHECK(place.run("compare c nothing") == 2);
 }
 
-TEST_CASE("trust: sweeps are compared by experiment, and several versions of a run are told", "[trust]") {
+TEST_CASE("trust: sweeps are compared by experiment, and several versions of a run are reported", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
   place.write("other.json", R"({"name": "other", "mesh": {"cells": 4}, "duration": 0.2})");
@@ -317,11 +319,11 @@ TEST_CASE("trust: sweeps are compared by experiment, and several versions of a r
   REQUIRE(place.run("compare a/tiny b/tiny") == 0);
   CHECK_THAT(place.err(),
              ContainsSubstring("'a/tiny' has several runs") && ContainsSubstring("4 runs left out"));
-  REQUIRE(place.run("compare a/tiny b/other") == 0);  // of one experiment each: by point alone
+  REQUIRE(place.run("compare a/tiny b/other") == 0);  // one experiment each, so only by point
   CHECK_THAT(place.out(), ContainsSubstring("4 points in both"));
 }
 
-TEST_CASE("trust: a run is repeated from its file alone, files that it was made from included", "[trust]") {
+TEST_CASE("trust: a run can be repeated from its file alone, without the files that it read", "[trust]") {
   Workplace place;
   place.write("ball.obj",
               "v -1 -1 -1\nv 1 -1 -1\nv 0 1 -1\nv 0 0 -0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
@@ -335,13 +337,13 @@ TEST_CASE("trust: a run is repeated from its file alone, files that it was made 
   for (const char* input : {"ball.obj", "sheet.obj", "on.json"}) fs::remove(place.folder / input);
   fs::rename(file, place.folder / "alone.vtkhdf");
   CHECK(place.run("rerun alone.vtkhdf --json") == 0);
-  const json found = place.out_lines().at(0);
-  CHECK(found.at("same_bits") == true);
-  CHECK(found.at("changed").empty());
+  const json result = place.out_lines().at(0);
+  CHECK(result.at("same_bits") == true);
+  CHECK(result.at("changed").empty());
   CHECK(place.run("rerun alone.vtkhdf --out kept") == 0);
   CHECK_THAT(place.out(), ContainsSubstring("the same bits") && ContainsSubstring("by the same program"));
   CHECK(fs::exists(place.folder / "kept" / "on"));
-  SECTION("although its reference differs in another run of its sweep alone") {
+  SECTION("although only another run of its sweep differs from its reference") {
     place.write("models.json", R"({"name": "models", "mesh": {"cells": 3}, "duration": 0.1,
         "sweep": {"/bending/model": ["isometric", "choi_ko"]},
         "accuracy": {"solver": ["/bending/choi_ko/force=\"polynomial\""]}})");
@@ -352,7 +354,7 @@ TEST_CASE("trust: a run is repeated from its file alone, files that it was made 
       CHECK(place.out_lines().at(0).at("same_bits") == true);
     }
   }
-  SECTION("at the same point of its sweep, without warnings of its own, and never in its place") {
+  SECTION("at the same point of its sweep, without new warnings, and without replacing the run") {
     place.write("tiny.json", tiny);
     REQUIRE(place.run("run tiny.json --sweep /bending/k=0.5,0.25 --set /bending/stiffness=k --json") == 0);
     const json swept = place.out_lines().at(0);
@@ -369,11 +371,11 @@ TEST_CASE("trust: a run is repeated from its file alone, files that it was made 
     return;
   }
   CHECK(place.run("show alone.vtkhdf") == 0);
-  for (const char* told : {"libraries", "Eigen 3", "blas_kernels", "started", "ended"})
-    CHECK_THAT(place.out(), ContainsSubstring(told));
+  for (const char* origin : {"libraries", "Eigen 3", "blas_kernels", "started", "ended"})
+    CHECK_THAT(place.out(), ContainsSubstring(origin));
 }
 
-TEST_CASE("trust: every command's help has an example", "[trust]") {
+TEST_CASE("trust: the help of every command has an example", "[trust]") {
   Workplace place;
   REQUIRE(place.run("completion bash") == 0);
   std::istringstream lines(place.out());
@@ -390,7 +392,7 @@ TEST_CASE("trust: every command's help has an example", "[trust]") {
   CHECK(commands == 25);
 }
 
-TEST_CASE("trust: the shells complete what the program takes", "[trust]") {
+TEST_CASE("trust: the shells complete commands, options and files of the program", "[trust]") {
   Workplace place;
   for (const char* shell : {"bash", "zsh"}) {
     REQUIRE(place.run(std::string("completion ") + shell) == 0);

@@ -1,4 +1,4 @@
-// What the program says about implausible runs and about warnings: table, JSON, exit codes, `allow` and
+// Implausible runs and warnings in the output of the program: table, JSON, exit codes, `allow` and
 // `--strict`.
 #include <filesystem>
 #include <string>
@@ -15,8 +15,8 @@ using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
 
-// The paper's sheet on one vertex without bending springs: its figure 1 calls that pin wrong. A triangle is
-// then a thousand times as long as at rest.
+// The paper's sheet, pinned at one vertex and without bending springs. The paper's figure 1 calls this pin
+// wrong. A triangle then becomes a thousand times as long as at rest.
 const std::string torn_scene = R"("duration": 1, "mesh": {"cells": 32}, "bending": {"model": "none"},
   "pins": {"vertices": ["upper_right"], "ring": 0}, "solver": {"iterations": 10, "substeps": 1},
   "material": {"strain": {"form": "normalised"}}, "initial": {"perturbation": 1e-6}})";
@@ -25,47 +25,47 @@ const std::string torn = R"({"name": "torn", "defaults": "paper", )" + torn_scen
           "allow": ["implausible"], )" +
                                      torn_scene;
 
-// Nothing acts on it, and nothing moves.
+// No force acts on this sheet, so it does not move.
 const std::string calm = R"({"name": "calm", "defaults": "paper",
           "duration": 0.1, "mesh": {"cells": 4}, "pins": {"vertices": []},
   "effects": [])";
 
 }  // namespace
 
-TEST_CASE("A run is looked at between its frames", "[command line][plausibility]") {
+TEST_CASE("A run is also checked between its frames", "[command line][plausibility]") {
   Workplace here;
   here.write("rare.json", R"({"name": "rare", "defaults": "paper",
           "output": {"frames_per_second": 0.5}, )" +
                               torn_scene);
   REQUIRE(here.run("run rare.json --json") == 1);  // frames at the start and at the end, after 1 s
-  const json told = here.out_lines().at(0).at("implausible");
-  CHECK(told.at("bound") == "reach");  // stretch is looked at in frames alone
-  CHECK(told.at("time").get<double>() < 0.95);
+  const json broken = here.out_lines().at(0).at("implausible");
+  CHECK(broken.at("bound") == "reach");  // stretch is checked only in frames
+  CHECK(broken.at("time").get<double>() < 0.95);
 }
 
-TEST_CASE("An implausible run is reported and fails the command", "[command line][plausibility]") {
+TEST_CASE("An implausible run is reported, and the command fails", "[command line][plausibility]") {
   Workplace here;
   here.write("torn.json", torn);
   REQUIRE(here.run("run torn.json --json") == 1);
   const json run = here.out_lines().at(0);
   CHECK(run.at("status") == "implausible");
-  const json& told = run.at("implausible");
-  CHECK((told.at("bound") == "stretch" || told.at("bound") == "reach"));
-  CHECK(told.at("measured").get<double>() > told.at("limit").get<double>());
-  CHECK(told.at("time").get<double>() > 0);
-  CHECK(told.at("vertex").get<int>() >= 0);
-  CHECK(told.at("constraint").at("kind") == "strain");  // it has no other
-  CHECK(told.at("constraint").at("correction").get<double>() > 0);
-  CHECK_THAT(told.at("advice").get<std::string>(), ContainsSubstring("tethers"));
+  const json& broken = run.at("implausible");
+  CHECK((broken.at("bound") == "stretch" || broken.at("bound") == "reach"));
+  CHECK(broken.at("measured").get<double>() > broken.at("limit").get<double>());
+  CHECK(broken.at("time").get<double>() > 0);
+  CHECK(broken.at("vertex").get<int>() >= 0);
+  CHECK(broken.at("constraint").at("kind") == "strain");  // the only kind in this scene
+  CHECK(broken.at("constraint").at("correction").get<double>() > 0);
+  CHECK_THAT(broken.at("advice").get<std::string>(), ContainsSubstring("tethers"));
   CHECK_THAT(here.err(), ContainsSubstring("implausible: at t = "));
 
-  // It is over: not computed again, and told again, below the table alone.
+  // The run is finished, so it is not computed again. It is reported again, but only below the table.
   REQUIRE(here.run("run torn.json") == 1);
   CHECK_THAT(here.err(), !ContainsSubstring("implausible"));
   CHECK_THAT(here.out(),
              ContainsSubstring("implausible, reused") && ContainsSubstring("\nimplausible torn: at t = "));
   REQUIRE(here.run("run torn.json --json") == 1);
-  CHECK(here.out_lines().at(0).at("implausible") == told);
+  CHECK(here.out_lines().at(0).at("implausible") == broken);
   REQUIRE(here.run("plan torn.json") == 0);
   CHECK_THAT(here.out(), ContainsSubstring("implausible"));
   REQUIRE(here.run("list") == 0);
@@ -74,15 +74,16 @@ TEST_CASE("An implausible run is reported and fails the command", "[command line
   REQUIRE(files.size() == 1);
   REQUIRE(here.run("show '" + files[0].string() + "' --json") == 0);
   CHECK(json::parse(here.out()).at("status") == "implausible");
-  CHECK(json::parse(here.out()).at("implausible") == told);
-  // Its file is whole: every frame, and the summary.
+  CHECK(json::parse(here.out()).at("implausible") == broken);
+  // The file is complete: it has every frame and the summary.
   const bendlab::RunRecord record = bendlab::read_run(files[0]);
   CHECK(record.frames == 31);
   CHECK(record.summary.at("worst_stretch") > 3);
   CHECK(bendlab::read_positions(files[0], -1).size() == 3 * 33 * 33);
 }
 
-TEST_CASE("A sweep that studies failure says so, and is the same sweep", "[command line][plausibility]") {
+TEST_CASE("A sweep that studies failure states this with `allow`, and its runs are the same",
+          "[command line][plausibility]") {
   Workplace here;
   here.write("torn.json", torn);
   here.write("allowed.json", torn_and_allowed);
@@ -90,7 +91,7 @@ TEST_CASE("A sweep that studies failure says so, and is the same sweep", "[comma
   CHECK(here.run("validate wrong.json") == 3);
   CHECK_THAT(here.err(), ContainsSubstring("/allow/0"));
   REQUIRE(here.run("run allowed.json --json") == 0);
-  CHECK(here.out_lines().at(0).at("status") == "implausible");  // told all the same
+  CHECK(here.out_lines().at(0).at("status") == "implausible");  // still reported
   REQUIRE(here.run("run torn.json --json") == 1);
   CHECK(here.out_lines().at(0).at("reused") == true);
   REQUIRE(here.run("schema") == 0);
@@ -103,8 +104,8 @@ TEST_CASE("Warnings are printed once, and --strict makes them errors", "[command
   REQUIRE(here.run("run seeds.json") == 0);
   CHECK_THAT(here.out(),
              ContainsSubstring("\nwarning inert_seed: ") && ContainsSubstring("(and 2 more runs)"));
-  CHECK(here.err().empty());                        // nothing is told twice
-  REQUIRE(here.run("run seeds.json --json") == 0);  // from the files
+  CHECK(here.err().empty());                        // warnings are printed only once
+  REQUIRE(here.run("run seeds.json --json") == 0);  // read from the files
   CHECK_THAT(here.err(), ContainsSubstring("bendlab: warning: calm: inert_seed: "));
   for (const json& run : here.out_lines()) {
     REQUIRE(run.at("warnings").size() == 1);
@@ -119,10 +120,10 @@ TEST_CASE("Warnings are printed once, and --strict makes them errors", "[command
   CHECK_FALSE(fs::exists(here.folder / "results"));
 }
 
-TEST_CASE("A warning that only the run can give fails a strict command after it",
+TEST_CASE("A warning that only the finished run can give fails a strict command after the run",
           "[command line][warnings]") {
   Workplace here;
-  // One round a step leaves a sheet on two corners stretched.
+  // One iteration per step leaves a sheet on two corners stretched.
   here.write("loose.json",
              R"({"name": "loose", "defaults": "paper",
           "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
@@ -135,7 +136,7 @@ TEST_CASE("A warning that only the run can give fails a strict command after it"
   CHECK(here.run("run --strict calm.json") == 0);
 }
 
-TEST_CASE("Scenes that are fine are not doubted", "[command line][plausibility][warnings]") {
+TEST_CASE("Good scenes get no warning and are plausible", "[command line][plausibility][warnings]") {
   Workplace here;
   const std::string configs = std::string(bendlab::places::source) + "/configs/";
   const std::string coarse = " --set /mesh/cells=12 --set /duration=0.5 --json";

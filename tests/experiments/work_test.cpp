@@ -1,4 +1,5 @@
-// Plans and shards: every run belongs to one shard, and a plan gives the runs that it was written for.
+// Plans and shards: every run belongs to exactly one shard, and a plan gives exactly the runs of its
+// experiment.
 #include "experiments/campaign/work.hpp"
 
 #include <algorithm>
@@ -23,14 +24,14 @@ constexpr const char* sweep =
 
 }  // namespace
 
-TEST_CASE("shards: the longest takes at most 4/3 of what is possible", "[campaign]") {
-  // Graham (1969), Bounds on multiprocessing timing anomalies: longest first is within 4/3 − 1/(3n) of the
-  // optimum, which is at least the mean load and the longest run.
+TEST_CASE("shards: the longest shard takes at most 4/3 of the optimum", "[campaign]") {
+  // Graham (1969), Bounds on multiprocessing timing anomalies: with the longest run first, the result is
+  // within 4/3 − 1/(3n) of the optimum. The optimum is at least the mean load and the longest run.
   std::mt19937 random(1);
   std::lognormal_distribution<double> seconds(0, 2);
   for (const std::size_t count : {1u, 2u, 7u, 64u}) {
     std::vector<double> expected(200);
-    for (double& each : expected) each = seconds(random);
+    for (double& duration : expected) duration = seconds(random);
     const std::vector<std::size_t> shards = shards_of(expected, count);
     REQUIRE(shards.size() == expected.size());
     std::vector<double> load(count);
@@ -53,17 +54,17 @@ TEST_CASE("plan: workers with and without shards compute every run once", "[camp
   REQUIRE(place.run("status p.json") == 0);
   CHECK(place.out().find("4 runs: 4 waiting") == 0);
   CHECK(place.run("work p.json --shard 1/2 --json --jobs 1") == 0);
-  CHECK(place.out_lines().size() == 4);  // its own, then those that nobody began
+  CHECK(place.out_lines().size() == 4);  // its own runs, then runs that no worker has started
   REQUIRE(place.run("status p.json --json") == 0);
   for (const auto& line : place.out_lines()) CHECK(line.at("state") == "complete");
   CHECK(place.run("work p.json --json") == 0);
   CHECK(place.out_lines().empty());
-  CHECK(place.err().find("0 of 4 runs computed here, 4 by others") != std::string::npos);
+  CHECK(place.err().find("0 of 4 runs computed here, 4 computed by other processes") != std::string::npos);
   REQUIRE(place.run("run sweep.json --json") == 0);  // the same runs
   for (const auto& line : place.out_lines()) CHECK(line.at("reused") == true);
 }
 
-TEST_CASE("plan: it does not follow its config, and refuses what would be another run", "[campaign]") {
+TEST_CASE("plan: it does not change with its config, and refuses runs that would differ now", "[campaign]") {
   Workplace place;
   place.write("sweep.json", R"({"name": "sheet", "duration": 0.1, "mesh": {"file": "mesh.obj"}})");
   place.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -73,7 +74,7 @@ TEST_CASE("plan: it does not follow its config, and refuses what would be anothe
   CHECK(place.out_lines().size() == 1);
   place.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
   CHECK(place.run("work plans/p.json") == 5);
-  CHECK(place.err().find("sheet is another run now, because a file that it reads was changed") !=
+  CHECK(place.err().find("sheet is a different run now, because a file that it reads was changed") !=
         std::string::npos);
 
   std::string text = test::read(place.folder / "plans/p.json");
@@ -82,14 +83,14 @@ TEST_CASE("plan: it does not follow its config, and refuses what would be anothe
   REQUIRE(at != std::string::npos);
   place.write("other.json", text.replace(at, hash.size(), "0123456789abcdef"));
   CHECK(place.run("work other.json") == 5);
-  CHECK(place.err().find("it was written by another program") != std::string::npos);
-  CHECK(place.run("status other.json") == 0);  // looking does no harm
+  CHECK(place.err().find("it was written by another version of the program") != std::string::npos);
+  CHECK(place.run("status other.json") == 0);  // reading the status is allowed
 
   place.write("damaged.json", R"({"bendlab_plan": 1, "runs": 3})");
   CHECK(place.run("status damaged.json") == 5);
   CHECK(place.err().find("the plan is damaged") != std::string::npos);
   CHECK(place.run("work sweep.json") == 5);
-  CHECK(place.err().find("this is no plan of bendlab") != std::string::npos);
+  CHECK(place.err().find("this is not a plan of bendlab") != std::string::npos);
   CHECK(place.run("work absent.json") == 5);
   for (const char* shard : {"2/2", "1", "a/b", "1/2x", "-1/2", "0/0"}) {
     CHECK(place.run(std::string("work plans/p.json --shard ") + shard) == 2);
@@ -97,7 +98,7 @@ TEST_CASE("plan: it does not follow its config, and refuses what would be anothe
   }
 }
 
-TEST_CASE("plan: why a run failed is seen from elsewhere, until it succeeds", "[campaign]") {
+TEST_CASE("plan: other processes see why a run failed, until it succeeds", "[campaign]") {
   Workplace place;
   place.write("bad.json", R"({"name": "bad", "duration": 0.1, "mesh": {"file": "mesh.obj"}})");
   place.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
@@ -108,7 +109,7 @@ TEST_CASE("plan: why a run failed is seen from elsewhere, until it succeeds", "[
   CHECK(place.out().find("mesh.obj") != std::string::npos);
 }
 
-TEST_CASE("submit: the batch file has what was asked for", "[campaign]") {
+TEST_CASE("submit: the batch file has the requested options", "[campaign]") {
   Workplace place;
   place.write("sweep.json", sweep);
   REQUIRE(place.run("submit sweep.json --dry-run --tasks 3 --cpus 2 --time 10:00 --sbatch=--mem=4G") == 0);
@@ -120,7 +121,8 @@ TEST_CASE("submit: the batch file has what was asked for", "[campaign]") {
   }
   CHECK_FALSE(fs::exists(place.folder / "results"));
   REQUIRE(place.run("submit sweep.json --dry-run") == 0);
-  CHECK(place.out().find("#SBATCH --array=0-0\n") != std::string::npos);  // all runs together take no minute
+  CHECK(place.out().find("#SBATCH --array=0-0\n") !=
+        std::string::npos);  // all runs together take less than a minute
   REQUIRE(place.run("submit sweep.json --dry-run --tasks 100") == 0);
-  CHECK(place.out().find("#SBATCH --array=0-3\n") != std::string::npos);  // no more tasks than runs
+  CHECK(place.out().find("#SBATCH --array=0-3\n") != std::string::npos);  // at most one task per run
 }

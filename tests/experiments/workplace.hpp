@@ -1,4 +1,4 @@
-// The program run as somebody would, in a folder of its own.
+// Runs the program in a temporary folder, like a user would.
 #pragma once
 
 #include <signal.h>
@@ -25,7 +25,7 @@ inline std::string read(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// A folder to run the program in, with what it printed last.
+/// A folder to run the program in, and the output of the last command.
 class Workplace {
  public:
   Workplace() {
@@ -34,7 +34,7 @@ class Workplace {
   }
   ~Workplace() { std::filesystem::remove_all(folder); }
 
-  /// Arguments may end in a redirection of their own.
+  /// The arguments may end with a redirection.
   int run(const std::string& arguments, const std::string& program = places::program) {
     const std::string command =
         "cd '" + folder.string() + "' && </dev/null >stdout 2>stderr '" + program + "' " + arguments;
@@ -42,7 +42,7 @@ class Workplace {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// Starts `bendlab run CONFIG`, with an option, and sends it a signal as soon as it computes its first run.
+  /// Starts `bendlab run CONFIG` with an option, and sends it a signal as soon as it computes its first run.
   int run_and_signal(const std::string& config, int signal, const char* option = nullptr) {
     const pid_t child = fork();
     if (child == 0) {

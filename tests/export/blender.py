@@ -1,9 +1,9 @@
-"""Whether Blender reads what `bendlab export` writes: every vertex of every frame, against the run file.
+"""Tests whether Blender reads the files of `bendlab export`: compares each vertex of each frame with the run.
 
-    blender.py PROGRAM [CONFIG]      exit 1 if something differs, 77 where there is no Blender
+    blender.py PROGRAM [CONFIG]      exit 1 if a vertex differs, 77 if Blender is not installed
 
-OBJ and PLY files, the PC2 cache of a mesh cache modifier, and USD where Blender was built with it. CONFIG,
-with one run and z up, replaces the small scene that is tried by default.
+Reads OBJ and PLY files, the PC2 cache of a mesh cache modifier, and USD if Blender was built with it. CONFIG,
+with one run and z up, replaces the small default scene.
 """
 import json
 import shutil
@@ -24,7 +24,7 @@ SCENE = {"name": "scene", "duration": 0.5, "allow": ["implausible"],
 
 
 def export(program, folder):
-    """Runs the config in `folder`, exports it, and gives the run."""
+    """Runs the config in `folder`, exports the run, and returns it."""
     def command(*arguments):
         subprocess.run([program, *map(str, arguments)], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
@@ -37,7 +37,7 @@ def export(program, folder):
 
 
 def farthest(folder, name, expected):
-    """The largest distance of what Blender read from what the run has, in m; inf if it has other shapes."""
+    """The largest difference of a coordinate between Blender and the run, in m; inf if the sizes differ."""
     read = np.fromfile(folder / f"{name}.f32", np.float32)
     if read.size != expected.size:
         return np.inf
@@ -46,7 +46,7 @@ def farthest(folder, name, expected):
 
 def main(program, config=None):
     if not (blender := shutil.which("blender")):
-        print("blender is not installed: whether it reads exports was not tried")
+        print("blender is not installed: its import of exported files was not tested")
         return MISSING
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
@@ -60,23 +60,23 @@ def main(program, config=None):
         if done.returncode != 0 or not (folder / "read.json").exists():
             print(done.stdout[-2000:], done.stderr[-2000:])
             return 1
-        told = json.loads((folder / "read.json").read_text(encoding="utf-8"))
+        report = json.loads((folder / "read.json").read_text(encoding="utf-8"))
         size = np.ptp(run.points[0], axis=0).max()
-        # Blender turns what comes in by its defaults by a matrix in single precision.
+        # By default, Blender rotates imported vertices by a matrix in single precision.
         expected = {name: (run.points, 0) for name in ("obj", "ply", "pc2", "usda")}
         x, y, z = np.moveaxis(run.points[:1], -1, 0)
         expected |= {"up": (run.points, 1e-6 * size), "default": (np.stack([x, -z, y], axis=-1), 1e-6 * size)}
         wrong = 0
-        for name in told["read"]:
+        for name in report["read"]:
             off = farthest(folder, name, expected[name][0])
             wrong += not off <= expected[name][1]
             frames = len(expected[name][0])
-            print(f"Blender {told['version']}, {name}: off by at most {off:.3g} m, frames: {frames}")
+            print(f"Blender {report['version']}, {name}: off by at most {off:.3g} m, frames: {frames}")
         if not config:
             off = farthest(folder, "texture", flat_texture(run)[run.triangles].astype(np.float32))
             wrong += not off < 1e-6
-            print(f"Blender {told['version']}, texture coordinates: off by at most {off:.3g}")
-        if "usda" not in told["read"]:
+            print(f"Blender {report['version']}, texture coordinates: off by at most {off:.3g}")
+        if "usda" not in report["read"]:
             print("this Blender is built without USD")
         return 1 if wrong else 0
 

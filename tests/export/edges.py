@@ -1,9 +1,9 @@
-"""Compares edges at rest with those that a run's first frame has, in its file and in its exports.
+"""Compares the rest edges of a run with the edges of its first frame, in the run file and in its exports.
 
-    edges.py RUN TOLERANCE FILES...     exit 1 if an edge is longer or shorter than by that share
+    edges.py RUN TOLERANCE FILES...     exit 1 if an edge length is off by more than the share TOLERANCE
 
-FILES are what `bendlab export` wrote: PLY, OBJ, PC2 or USD. The run's first frame has to be its rest shape.
-Positions are read by other readers than the program's; those relative to an origin are moved there first.
+FILES were written by `bendlab export`: PLY, OBJ, PC2 or USD. The first frame of the run has to be its rest
+shape. The readers are independent of the program. Positions relative to an origin are first moved by it.
 """
 import re
 import sys
@@ -18,9 +18,9 @@ from bendlab.results.load import load_run  # noqa: E402
 
 
 def stated_origin(path):
-    """(3) what a comment of an OBJ file says is to be added to its positions."""
-    found = re.search(r"^# origin (\S+) (\S+) (\S+):", path.read_text(encoding="ascii"), re.MULTILINE)
-    return np.array([float(number) for number in found.groups()]) if found else np.zeros(3)
+    """(3) the origin in a comment of an OBJ file, which has to be added to its positions."""
+    match = re.search(r"^# origin (\S+) (\S+) (\S+):", path.read_text(encoding="ascii"), re.MULTILINE)
+    return np.array([float(number) for number in match.groups()]) if match else np.zeros(3)
 
 
 def usda_points(path):
@@ -42,15 +42,15 @@ def main(run_file, tolerance, *files):
     rest, triangles = run.rest_positions, run.triangles
     lengths = lambda points: np.linalg.norm(  # noqa: E731
         points[triangles] - points[np.roll(triangles, -1, axis=1)], axis=2)
-    found = {"analysis/load.py": run.positions(0), "h5py": Run(run_file).points[0].astype(float)}
-    found.update({name: READERS[Path(name).suffix](Path(name)) for name in files})
+    frames = {"analysis/load.py": run.positions(0), "h5py": Run(run_file).points[0].astype(float)}
+    frames.update({name: READERS[Path(name).suffix](Path(name)) for name in files})
     wrong = 0
-    for name, points in found.items():
+    for name, points in frames.items():
         off = np.abs(lengths(points) / lengths(rest) - 1).max()
         away = np.abs(points - rest).max() / np.ptp(rest, axis=0).max()
         if not max(off, away) <= float(tolerance):
             wrong += 1
-            print(f"{name}: an edge is off by {off:.3g} of its length, a vertex by {away:.3g} sizes")
+            print(f"{name}: an edge is off by {off:.3g} of its length, a vertex by {away:.3g} of the size")
     return 1 if wrong else 0
 
 

@@ -1,8 +1,8 @@
-"""Compares what `bendlab export` wrote with the run file, read by other readers than the program's.
+"""Compares exported files with the run file. The readers here are independent of the program.
 
-    exported.py RUN FORMAT PATH [--frames FIRST:LAST:STEP] [--up y]      exit 1 if something differs
+    exported.py RUN FORMAT PATH [--frames FIRST:LAST:STEP] [--up y]      exit 1 if a value differs
 
-PATH is what --to named. Positions have to be the run's floats to the last bit.
+PATH is the argument of --to in `bendlab export`. Positions must equal the floats of the run to the last bit.
 """
 import argparse
 import csv
@@ -45,24 +45,24 @@ class Run:
         return list(numbers[first:last + 1:step])
 
     def obstacles(self):
-        """The names of exported obstacles, and their settings."""
+        """Exported name of each obstacle: its settings."""
         kinds = [effect["type"] for effect in self.config["effects"]]
-        found = {}
+        settings = {}
         for index, effect in enumerate(self.config["effects"]):
             if "velocity" in effect:
                 kind = effect["type"]
                 number = f"_{kinds[:index].count(kind) + 1}" if kinds.count(kind) > 1 else ""
-                found[kind + number] = effect
-        return found
+                settings[kind + number] = effect
+        return settings
 
 
 def turned(points, up):
-    """Points of a run with z up, with that axis up."""
+    """Turns points with z up so that the axis `up` is up."""
     return points if up != "y" else np.stack([points[..., 0], points[..., 2], -points[..., 1]], axis=-1)
 
 
 def off_surface(effect, points, time):
-    """The largest distance of points from the surface of an obstacle at a time; m."""
+    """The largest distance of points from the surface of an obstacle at this time, m."""
     vector = lambda name: np.array(effect[name], float)  # noqa: E731
     points = np.asarray(points, float) - time * vector("velocity")
     if effect["type"] == "sphere":
@@ -79,11 +79,11 @@ def off_surface(effect, points, time):
         outward = np.linalg.norm(points - vector("centre") - height[:, None] * axis, axis=1)
         rim = np.maximum(outward - effect["radius"] + effect["height"] / 2, 0)
         return np.abs(np.hypot(height, rim) - effect["height"] / 2).max()
-    raise ValueError(f"no distance from {effect['type']} is known here")
+    raise ValueError(f"this test has no distance to the obstacle {effect['type']}")
 
 
 def read_obj(path):
-    """points, triangles, texture coordinates of corners, or None"""
+    """Points, triangles, texture coordinates of the corners (or None)."""
     points, texture, triangles, corners = [], [], [], []
     for line in path.read_text(encoding="ascii").splitlines():
         kind, *words = line.split() or ["#"]
@@ -92,16 +92,16 @@ def read_obj(path):
         elif kind == "vt":
             texture.append([float(word) for word in words])
         elif kind == "f":
-            both = [[int(index) for index in word.split("/")] for word in words]
-            triangles.append([each[0] - 1 for each in both])
-            corners.append([texture[each[1] - 1] for each in both if len(each) > 1])
+            indices = [[int(index) for index in word.split("/")] for word in words]
+            triangles.append([corner[0] - 1 for corner in indices])
+            corners.append([texture[corner[1] - 1] for corner in indices if len(corner) > 1])
         elif kind not in ("#", "o"):
             raise ValueError(f"{path}: {line}")
     return np.array(points), np.array(triangles), np.array(corners) if texture else None
 
 
 def read_ply(path):
-    """The same of a binary PLY file, by the properties that its header names."""
+    """Points, triangles, texture coordinates of a binary PLY file, with the properties of its header."""
     head, body = path.read_bytes().split(b"end_header\n", 1)
     lines = head.decode("ascii").splitlines()
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
@@ -118,7 +118,7 @@ def read_ply(path):
 
 
 def read_pc2(path):
-    """first frame, frames from one sample to the next, samples (n, vertices, 3)"""
+    """First frame, number of frames between two samples, samples (n, vertices, 3)."""
     data = path.read_bytes()
     signature, version, points, first, rate, samples = struct.unpack("<12siiffi", data[:32])
     assert signature == b"POINTCACHE2\0" and version == 1 and len(data) == 32 + 12 * points * samples
@@ -137,13 +137,13 @@ class Differences(list):
 
 
 def flat_texture(run):
-    """(V, 2) coordinates of a sheet that is flat in z at rest, the longer side from 0 to 1."""
+    """(V, 2) texture coordinates of a sheet that is flat in z at rest; its longer side goes from 0 to 1."""
     low, extent = run.points[0].min(axis=0)[:2], np.ptp(run.points[0], axis=0)[:2].max()
     return (run.points[0][:, :2] - low) / extent
 
 
 def compare_files(run, read, suffix, folder, frames, up, wrong):
-    """Sequences of OBJ or PLY."""
+    """Compares a sequence of OBJ or PLY files."""
     single = folder.suffix == suffix
     expected = set()
     for number in frames:
@@ -194,7 +194,7 @@ def compare_usda(run, path, frames, up, wrong):
     wrong.check(prim["type"] == "Xform" and set(prim["children"]) == {"cloth", *run.obstacles()}, "prims")
     for name, mesh in prim["children"].items():
         wrong.check(mesh["type"] == "Mesh", f"{name}: type")
-        compare_mesh(run, name, {key: each["value"] for key, each in mesh["properties"].items()}, wrong)
+        compare_mesh(run, name, {key: entry["value"] for key, entry in mesh["properties"].items()}, wrong)
         wrong.check(mesh["properties"]["subdivisionScheme"]["uniform"],
                     f"{name}: subdivisionScheme is uniform")
     cloth = prim["children"]["cloth"]["properties"]
@@ -223,7 +223,7 @@ def compare_usda(run, path, frames, up, wrong):
 
 
 def compare_mesh(run, name, values, wrong):
-    """What every mesh has."""
+    """Compares the properties that every mesh has."""
     corners = np.array(values["faceVertexIndices"], int).reshape(-1, 3)
     wrong.check(set(values["faceVertexCounts"]) == {
                 3} and 3 * len(values["faceVertexCounts"]) == corners.size, f"{name}: counts")

@@ -1,9 +1,9 @@
-"""Imports exports into Blender, and writes the vertices that Blender then has; blender.py runs it.
+"""Imports exported files into Blender, and writes the vertices that Blender then has. blender.py runs this.
 
     blender --background --factory-startup --python in_blender.py -- FOLDER FRAMES
 
-FOLDER has obj/, ply/, pc2/, usda/ and up/ (obj with y up). For each, NAME.f32 gets the world's coordinates of
-the cloth, float32, frame after frame; read.json says which there are, and which Blender this is.
+FOLDER has obj/, ply/, pc2/, usda/ and up/ (obj with y up). For each folder, NAME.f32 gets the coordinates of
+the cloth in world space: float32, frame after frame. read.json lists these names and Blender's version.
 """
 import json
 import sys
@@ -19,13 +19,13 @@ def fresh():
 
 def only_new():
     """The object that an importer made."""
-    meshes = [each for each in bpy.data.objects if each.type == "MESH"]
+    meshes = [thing for thing in bpy.data.objects if thing.type == "MESH"]
     assert len(meshes) == 1, meshes
     return meshes[0]
 
 
 def world(thing):
-    """(V, 3) vertices as they are drawn: modifiers and the object's matrix applied."""
+    """(V, 3) vertices as Blender draws them: with the modifiers and the matrix of the object."""
     evaluated = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = evaluated.to_mesh()
     points = np.empty(3 * len(mesh.vertices), np.float32)
@@ -97,8 +97,8 @@ def main(folder, count):
     coordinates = np.empty(2 * len(texture), np.float32)
     texture.foreach_get("uv", coordinates)
     coordinates.tofile(folder / "texture.f32")
-    told = {"version": bpy.app.version_string, "read": list(reads)}
-    (folder / "read.json").write_text(json.dumps(told), encoding="utf-8")
+    report = {"version": bpy.app.version_string, "read": list(reads)}
+    (folder / "read.json").write_text(json.dumps(report), encoding="utf-8")
 
 
 if __name__ == "__main__":

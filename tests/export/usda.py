@@ -1,7 +1,7 @@
-"""A strict reader of the part of USD's text format that exports use. ValueError for everything else.
+"""A strict reader of the part of USD's text format that exports use. Anything else is a ValueError.
 
-The grammar is that of the documentation of OpenUSD's text files, version 1.0: layer metadata, prims with
-`def`, properties with types, values, time samples and metadata. Statements end with their line.
+The grammar follows the documentation of OpenUSD's text files, version 1.0: layer metadata, prims with `def`,
+properties with types, values, time samples and metadata. A statement ends at the end of its line.
 """
 import re
 
@@ -11,7 +11,7 @@ TOKEN = re.compile(r"""(?P<space>[ \t\r\n]+)
   |(?P<word>[A-Za-z_]\w*(?:[:.][A-Za-z_]\w*)*(?:\[\])?)
   |(?P<mark>[()\[\]{}=:,])""", re.VERBOSE)
 
-# Type: numbers in an entry (0: one that is no tuple), what an entry is, whether whole.
+# Type: length of the tuple of an entry (0: no tuple), type of its elements, whether they are whole numbers.
 TYPES = {
     "bool": (0, float, True),
     "int": (0, float, True),
@@ -72,7 +72,7 @@ class _Reader:
             return self.text_value()
         if self.tokens[self.next][0] == "number":
             return float(self.take("number"))
-        for first, last, made in (("(", ")", tuple), ("[", "]", list)):
+        for first, last, sequence in (("(", ")", tuple), ("[", "]", list)):
             if self.sees(first):
                 self.take("mark", first)
                 entries = []
@@ -81,7 +81,7 @@ class _Reader:
                     if not self.sees(last):
                         self.take("mark", ",")
                 self.take("mark", last)
-                return made(entries)
+                return sequence(entries)
         return self.fail("a value")
 
     def dictionary(self):
@@ -92,37 +92,37 @@ class _Reader:
             kind, name = self.take("word"), self.take("word")
             self.take("mark", "=")
             if name in entries:
-                self.fail(f"no second '{name}'")
+                self.fail(f"a name other than '{name}', which is already there")
             entries[name] = self.dictionary() if kind == "dictionary" else checked(self.value(), kind)
         self.take("mark", "}")
         return entries
 
     def metadata(self, known):
         self.take("mark", "(")
-        found = {}
+        values = {}
         while not self.sees(")"):
             self.new_line()
             name = self.take("word")
             self.take("mark", "=")
-            found[name] = self.dictionary() if self.sees("{") else self.value()
-            if name not in known or not isinstance(found[name], known[name]):
-                raise ValueError(f"metadata '{name}' is not known, or not with {found[name]!r}")
+            values[name] = self.dictionary() if self.sees("{") else self.value()
+            if name not in known or not isinstance(values[name], known[name]):
+                raise ValueError(f"metadata '{name}' is unknown, or does not take {values[name]!r}")
         self.take("mark", ")")
-        return found
+        return values
 
     def samples(self, kind):
         self.take("mark", "{")
-        found = {}
+        values = {}
         while not self.sees("}"):
             self.new_line()
             time = float(self.take("number"))
             self.take("mark", ":")
-            if found and time <= max(found):
-                raise ValueError(f"the time {time} does not come after {max(found)}")
-            found[time] = checked(self.value(), kind)
+            if values and time <= max(values):
+                raise ValueError(f"the time {time} does not come after {max(values)}")
+            values[time] = checked(self.value(), kind)
             self.take("mark", ",")
         self.take("mark", "}")
-        return found
+        return values
 
     def property(self):
         self.new_line()
@@ -145,41 +145,41 @@ class _Reader:
         self.take("word", "def")
         prim = {"type": self.take("word"), "name": self.text_value(), "properties": {}, "children": {}}
         if not re.fullmatch(r"[A-Za-z_]\w*", prim["name"], re.ASCII):
-            raise ValueError(f"'{prim['name']}' is no name of a prim")
+            raise ValueError(f"'{prim['name']}' is not a valid name of a prim")
         self.take("mark", "{")
         while not self.sees("}"):
             if self.sees("def"):
                 child = self.prim()
                 if child["name"] in prim["children"]:
-                    raise ValueError(f"there are two prims '{child['name']}'")
+                    raise ValueError(f"there are two prims with the name '{child['name']}'")
                 prim["children"][child["name"]] = child
             else:
-                name, found = self.property()
+                name, entry = self.property()
                 if name in prim["properties"]:
-                    raise ValueError(f"'{prim['name']}' has two properties '{name}'")
-                prim["properties"][name] = found
+                    raise ValueError(f"'{prim['name']}' has two properties with the name '{name}'")
+                prim["properties"][name] = entry
         self.take("mark", "}")
         return prim
 
 
 def checked(value, kind):
-    """The value, if it is of that type."""
+    """Returns the value, or raises a ValueError if it is not of this type."""
     base, is_list = (kind[:-2], True) if kind.endswith("[]") else (kind, False)
     if base not in TYPES:
         raise ValueError(f"there is no type '{kind}'")
     count, entry, whole = TYPES[base]
     if is_list != isinstance(value, list):
-        raise ValueError(f"{value!r:.60} is no {kind}")
-    for each in value if is_list else [value]:
-        numbers = each if count else (each,)
+        raise ValueError(f"{value!r:.60} is not of the type {kind}")
+    for item in value if is_list else [value]:
+        numbers = item if count else (item,)
         if not isinstance(numbers, tuple) or len(numbers) != (count or 1) or any(
                 not isinstance(number, entry) or (whole and number != int(number)) for number in numbers):
-            raise ValueError(f"{each!r:.60} is no {base}")
+            raise ValueError(f"{item!r:.60} is not of the type {base}")
     return value
 
 
 def read_stage(path):
-    """(layer metadata, prims by name) of a file; a prim has type, name, properties, children."""
+    """Returns (layer metadata, prims by name) of a file. A prim has type, name, properties and children."""
     reader = _Reader(path.read_text(encoding="utf-8"))
     metadata, prims = reader.metadata(LAYER) if reader.sees("(") else {}, {}
     while not reader.sees(""):

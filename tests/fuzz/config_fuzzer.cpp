@@ -1,9 +1,9 @@
-// Configs: text → strict JSON → experiment → every run's settings → scene → two steps.
+// Configs: text → strict JSON → experiment → settings of every run → scene → two steps.
 //
-// Refused with a ConfigError, or else:
-// * every run's resolved settings, as text, are a config of exactly one run with the same resolved settings;
-// * its scene is built, or refused with an error of ours;
-// * a step gives finite positions, or says that the cloth diverged.
+// Either the config is refused with a ConfigError, or:
+// * the resolved settings of every run, as text, are a config of exactly one run with the same settings;
+// * its scene is built, or refused with one of our errors;
+// * a step gives finite positions, or reports that the cloth diverged.
 #include <algorithm>
 #include <cmath>
 
@@ -20,12 +20,12 @@ using namespace bendlab::fuzz;
 
 namespace {
 
-constexpr std::size_t most_points = 64;  // of a sweep: each takes as long as a config of one run
+constexpr std::size_t most_points = 64;  // of a sweep: every point takes as long as a single run
 constexpr std::size_t most_scenes = 2;
 constexpr double most_vertices = 300;
-constexpr double most_that_collide = 60;  // thick cloth compares all with all
+constexpr double most_that_collide = 60;  // thick cloth compares all triangles with all others
 
-// How many runs the config asks for, if it is as it should be.
+// The number of runs, if the config is valid.
 std::size_t points_of(const Json& document) {
   const Json* const sweep = value_at(document, "/sweep");
   if (sweep == nullptr || !sweep->is_object()) return 1;
@@ -58,7 +58,7 @@ void check_round_trip(const RunConfig& run) {
   require(again.runs.size() == 1, "resolved settings are one run");
   require(again.runs.front().resolved() == run.resolved(), "resolved settings resolve to themselves");
   require(identity_text(again.runs.front().resolved()) == identity_text(run.resolved()),
-          "resolved settings are the same run");
+          "resolved settings have the same identity");
 }
 
 void check_steps(const RunConfig& run) try {
@@ -84,7 +84,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     experiment = parse_experiment(text, "input");
   } catch (const ConfigError& error) {
-    require(!error.problems().empty(), "a refusal says what is wrong");
+    require(!error.problems().empty(), "a refusal states its problems");
     return 0;
   }
   require(!experiment.runs.empty(), "a valid config has a run");
@@ -98,7 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-// Changes that random_changes() does not know.
+// Changes that random_changes() does not make.
 void change_structure(Json& document, test::Random& random) {
   const std::vector<test::Change> changes = test::random_changes(random);
   if (changes.empty()) return;
@@ -127,7 +127,7 @@ void change_structure(Json& document, test::Random& random) {
   }
 }
 
-// Sets, or removes, some settings; where the text is no config, of a config that says nothing.
+// Sets or removes a few settings of the config. If the text is no config, a minimal config is used instead.
 std::string with_other_settings(std::string_view text, test::Random& random) {
   ConfigProblems problems;
   const std::optional<Json> read = read_strict_json(text, problems);
@@ -138,7 +138,7 @@ std::string with_other_settings(std::string_view text, test::Random& random) {
       document.erase(std::next(document.begin(), static_cast<std::ptrdiff_t>(random() % document.size())));
     for (std::size_t count = 1 + random() % 2; count > 0; --count)
       for (auto& [pointer, value] : test::random_changes(random)) set_at(document, pointer, std::move(value));
-  } catch (const Json::exception&) {  // the document has something else in that place
+  } catch (const Json::exception&) {  // the document has another type at this place
   }
   return document.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

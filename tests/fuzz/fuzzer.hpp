@@ -1,5 +1,5 @@
-// What the fuzzers share. libFuzzer calls LLVMFuzzerTestOneInput() with one input after the other; a crash, a
-// sanitizer's report, an exception that nobody expected or a broken requirement is a finding.
+// Functions that all fuzzers share. libFuzzer calls LLVMFuzzerTestOneInput() with one input after another. A
+// crash, a report of a sanitizer, an unexpected exception or a broken requirement is a finding.
 #pragma once
 
 #include <stdlib.h>
@@ -15,12 +15,12 @@
 #include <string_view>
 #include <system_error>
 
-/// libFuzzer's own mutation of bytes, for mutators of ours. Returns the new size.
+/// libFuzzer's default mutation of bytes, for use in our mutators. Returns the new size.
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 namespace bendlab::fuzz {
 
-/// Stops the fuzzer, which keeps the input, if `holds` is false.
+/// Stops the fuzzer if `holds` is false. The fuzzer keeps the input.
 inline void require(bool holds, std::string_view what) {
   if (holds) return;
   std::fprintf(stderr, "BROKEN: %.*s\n", static_cast<int>(what.size()), what.data());
@@ -31,14 +31,14 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
   return {reinterpret_cast<const char*>(data), size};
 }
 
-/// Copies a text into libFuzzer's buffer. Returns its size; 0 if it has no room.
+/// Copies a text into libFuzzer's buffer. Returns its size, or 0 if the buffer is too small.
 inline std::size_t put(std::string_view text, std::uint8_t* data, std::size_t max_size) {
   if (text.size() > max_size) return 0;
   text.copy(reinterpret_cast<char*>(data), text.size());
   return text.size();
 }
 
-/// A folder in memory for this process, removed at its end.
+/// A folder in memory for this process. It is removed at the end of the process.
 inline const std::filesystem::path& folder() {
   struct Folder {
     std::filesystem::path path;
@@ -53,8 +53,8 @@ inline const std::filesystem::path& folder() {
       std::filesystem::remove_all(path, ignored);
     }
   };
-  static const Folder made;
-  return made.path;
+  static const Folder temporary;
+  return temporary.path;
 }
 
 inline void write(const std::filesystem::path& file, std::string_view bytes) {

@@ -1,9 +1,10 @@
-// Mesh files: bytes → soup → accepted by each policy → what is computed from a mesh.
+// Mesh files: bytes → soup → mesh accepted by each policy → quantities computed from the mesh.
 //
-// The first byte chooses the format (0 OBJ, 1 PLY, 2 OFF, 3 STL), the rest is the file. Refused with
-// std::invalid_argument, or else: * an accepted mesh has finite positions and indices in range, and lies in
-// more than one point; * what `refuse` and `repair` accept has no problem left; * its edges, areas, quality,
-// pins, material axes and parts are computed.
+// The first byte chooses the format (0 OBJ, 1 PLY, 2 OFF, 3 STL), the other bytes are the file. Either the
+// file is refused with std::invalid_argument, or:
+// * an accepted mesh has finite positions and indices in range, and is larger than a point;
+// * a mesh that `refuse` or `repair` accepts has no problems;
+// * its edges, areas, quality, pins, material axes and parts can be computed.
 #include <cmath>
 #include <stdexcept>
 
@@ -44,7 +45,7 @@ void check(const TriangleMesh& mesh, BadTriangles policy) {
     require(diagnose(mesh).empty(), "a mesh that is accepted as sound has no problems");
 }
 
-// None of these may throw for an accepted mesh.
+// None of these functions may throw for an accepted mesh, except for the two caught errors.
 void measure(const TriangleMesh& mesh) {
   const RestMesh rest(mesh);
   const MeshQuality quality = measure_quality(mesh.positions, mesh.triangles);
@@ -56,7 +57,7 @@ void measure(const TriangleMesh& mesh) {
   for (std::size_t place = 0; place < place_names.size(); ++place) try {
       for (const int vertex : select_vertices(rest, static_cast<Place>(place)))
         require(vertex >= 0 && vertex < rest.vertex_count(), "a selected vertex exists");
-    } catch (const std::invalid_argument&) {  // a name for which this mesh has no place
+    } catch (const std::invalid_argument&) {  // this mesh has no place of this name
     }
   if (mesh.texture_coordinates.rows() > 0) try {
       inverse_rest_from_texture(mesh);

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Runs the fuzzers one after the other and says what they found.
+"""Runs the fuzzers one after another and prints their findings.
 
-    tests/fuzz/run.py                        all three, a minute each
-    tests/fuzz/run.py mesh --seconds 3600    one, for an hour
-    tests/fuzz/run.py mesh --input FILE      one input again: what a finding's line says
+    tests/fuzz/run.py                        all three fuzzers, a minute each
+    tests/fuzz/run.py mesh --seconds 3600    a single fuzzer, for an hour
+    tests/fuzz/run.py mesh --input FILE      a single input again, as printed for a finding
 
-Each begins with the seeds in tests/fuzz/corpus and with what earlier runs on this machine kept in
-build/fuzz/corpus. The last line counts fuzzers: one fails if it has a finding. Exit code 1 if one failed.
+Each fuzzer starts with the seeds in tests/fuzz/corpus, and with the inputs that earlier calls on this machine
+kept in build/fuzz/corpus. The last line counts fuzzers: a fuzzer fails if it has a finding. The exit code is
+1 if a fuzzer failed.
 """
 import argparse
 import base64
@@ -20,8 +21,8 @@ root = pathlib.Path(__file__).resolve().parents[2]
 here = pathlib.Path(__file__).resolve().parent
 names = ["config", "mesh", "run_file"]
 
-# Seconds and MB after which one input is a finding: all are small, so that something goes on without end.
-# On a busy machine the sanitizers need 20 s for what takes 0.3 s elsewhere.
+# If an input takes more seconds or MB than this, it is a finding. All inputs are small, so this means an
+# endless loop. On a busy machine with sanitizers, an input that usually takes 0.3 s may take 20 s.
 slowest, most_memory = 90, 4000
 largest = {"config": 4096, "mesh": 8192, "run_file": 4096}  # bytes
 
@@ -36,20 +37,20 @@ def build():
 
 
 def environment():
-    # A leak is no finding in the libraries of others. A large allocation that fails throws, as it does
-    # elsewhere.
+    # Large allocations that fail throw an exception, as without a sanitizer. Leaks in third-party libraries
+    # are no findings.
     return dict(os.environ, OPENBLAS_NUM_THREADS="1",
                 ASAN_OPTIONS="allocator_may_return_null=1:detect_stack_use_after_return=0",
                 UBSAN_OPTIONS="print_stacktrace=1")
 
 
 def last_number(pattern, text):
-    found = re.findall(pattern, text)
-    return int(found[-1]) if found else 0
+    numbers = re.findall(pattern, text)
+    return int(numbers[-1]) if numbers else 0
 
 
 def fuzz(name, programs, seconds, findings):
-    """Runs one fuzzer. Returns the files of what it found."""
+    """Runs a fuzzer. Returns the files of its findings."""
     kept = root / "build/fuzz/corpus" / name
     kept.mkdir(parents=True, exist_ok=True)
     findings.mkdir(parents=True, exist_ok=True)
@@ -65,7 +66,7 @@ def fuzz(name, programs, seconds, findings):
     rate = last_number(r"stat::average_exec_per_sec: *(\d+)", text)
     coverage, features = last_number(r" cov: (\d+)", text), last_number(r" ft: (\d+)", text)
     print(
-        f"{name:9} {executions:9} executions, {rate:6} a second, coverage {coverage} edges, {features} "
+        f"{name:9} {executions:9} executions, {rate:6} per second, coverage {coverage} edges, {features} "
         "features", flush=True)
     if run.returncode == 0:
         return []
@@ -76,9 +77,9 @@ def fuzz(name, programs, seconds, findings):
     print(f"{name:9} FINDING: {causes[0] if causes else text[-2000:]}")
     for line in [*causes[1:5], *re.findall(r"#\d+ 0x.* in bendlab.*", text)[:8]]:
         print(f"          {line.strip()}")
-    print(f"          all it said: {findings / f'{name}.log'}")
-    for file in new:  # with its bytes: a machine of the CI keeps no files
-        print(f"          again: {pathlib.Path(sys.argv[0])} {name} --input {file}")
+    print(f"          full output: {findings / f'{name}.log'}")
+    for file in new:  # with its bytes, because machines of the CI keep no files
+        print(f"          repeat: {pathlib.Path(sys.argv[0])} {name} --input {file}")
         print(f"          bytes: {base64.b64encode(file.read_bytes()).decode()}")
     return new or [None]
 
@@ -91,17 +92,17 @@ def repeat(name, programs, file):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("fuzzers", nargs="*", help=f"of {', '.join(names)}; none: all")
+    parser.add_argument("fuzzers", nargs="*", help=f"any of {', '.join(names)}; default: all")
     parser.add_argument("--seconds", type=int, default=60, help="for each fuzzer (default 60)")
-    parser.add_argument("--input", type=pathlib.Path, help="run one fuzzer on this file alone")
-    parser.add_argument("--programs", type=pathlib.Path, help="folder of built fuzzers; else they are built")
+    parser.add_argument("--input", type=pathlib.Path, help="run a single fuzzer on this file only")
+    parser.add_argument("--programs", type=pathlib.Path, help="folder of built fuzzers (default: build them)")
     arguments = parser.parse_args()
     chosen = arguments.fuzzers or names
     for name in chosen:
         if name not in names:
-            parser.error(f"'{name}' is no fuzzer; these are: {', '.join(names)}")
+            parser.error(f"'{name}' is not a fuzzer; the fuzzers are {', '.join(names)}")
     if arguments.input and len(chosen) != 1:
-        parser.error("--input needs the one fuzzer that reads it")
+        parser.error("--input needs exactly one fuzzer, the one that reads the file")
     if not arguments.programs:
         build()
     programs = (arguments.programs or root / "build/fuzz/bin").resolve()

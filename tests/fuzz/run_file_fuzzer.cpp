@@ -1,10 +1,10 @@
-// What lies in a run's folder: the file's checksum, its checkpoint, the claim of who computes it, the texts
-// and numbers that a file keeps.
+// Files in the folder of a run: the checksum of the run file, the checkpoint, the claim of its owner, and the
+// texts and numbers in the run file.
 //
-// The first byte, a digit, chooses what is read: see `readers`. HDF5 itself is not fuzzed: its library
-// crashes on damaged files and runs on without end, which is why the program has a file without a right
-// checksum read by a child process (checked_read.hpp, tests/trust/flips.py). A file with a right checksum is
-// what we wrote, so here the bytes go into a file that we write, and must come back.
+// The first byte, a digit, chooses the reader: see `readers`. HDF5 itself is not fuzzed. Its library crashes
+// on damaged files, or never ends. Therefore a child process of the program reads files without a valid
+// checksum (checked_read.hpp, tests/trust/flips.py). Files with a valid checksum were written by us. So here
+// the input goes into a file that we write, and must be read back.
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -45,7 +45,7 @@ class Input {
     rest_.remove_prefix(size);
     return value;
   }
-  // Up to a byte's number of characters, made UTF-8.
+  // A text of up to 255 characters, converted to UTF-8.
   std::string text() {
     const std::string text(rest_.substr(0, number<std::uint8_t>() % 64));
     rest_.remove_prefix(std::min(text.size(), rest_.size()));
@@ -75,15 +75,15 @@ void read_checkpoints(Bytes bytes) {
   constexpr const char *id = "0123456789abcdef", *name = "run.checkpoint";
   write(folder() / name, bytes);
   read_checkpoint(folder(), id);
-  write(folder() / name, hex_hash(std::string(bytes)) + std::string(bytes));  // it gets past the hash
+  write(folder() / name, hex_hash(std::string(bytes)) + std::string(bytes));  // with a valid hash
   read_checkpoint(folder(), id);
   write_checkpoint(folder(), id, {bytes.size(), std::string(bytes)});
   const std::optional<Checkpoint> read = read_checkpoint(folder(), id);
-  require(read && read->frames == bytes.size() && read->state == bytes, "a checkpoint comes back");
-  require(!read_checkpoint(folder(), "another run"), "a checkpoint is of its run");
+  require(read && read->frames == bytes.size() && read->state == bytes, "a checkpoint is read back");
+  require(!read_checkpoint(folder(), "another run"), "a checkpoint belongs to its run");
 }
 
-// One of each kind of value that an archive reads.
+// A value of every type that an archive reads.
 struct Everything {
   struct Part {
     std::vector<std::string> names;
@@ -112,11 +112,11 @@ void read_archive(Bytes bytes) try {
   again.archive(in_again);
   require(in_again.at_end() && again.text == read.text && again.numbers.size() == read.numbers.size() &&
               again.parts.size() == read.parts.size() && again.matrix.size() == read.matrix.size(),
-          "what an archive read it writes, and reads again");
-} catch (const std::runtime_error&) {  // it ends too early
+          "an archive writes what it read, and reads it again");
+} catch (const std::runtime_error&) {  // the archive ends too early
 }
 
-// A small run with an effect of each kind that keeps something between steps.
+// A small run with every kind of effect that keeps state between steps.
 struct Run {
   RunConfig config = parse_experiment(R"({"name": "run", "mesh": {"cells": 2}, "duration": 1, "effects": [
       {"type": "gravity"}, {"type": "self_collision", "thickness": 0.1}, {"type": "plane"},
@@ -138,8 +138,8 @@ struct Run {
   void archive(Archive& state) { state(*simulation, recorder, plausibility); }
 };
 
-// The state of a run that was stopped, with bytes changed at places that the input names, and cut. It is not
-// stepped on: the numbers of a checkpoint whose hash is right are those of its run.
+// The state of a stopped run, changed at places that the input names, and cut. The run is not continued,
+// because a checkpoint with a valid hash always has the right numbers.
 void read_state(Bytes bytes) {
   static const std::string whole = [] {
     Run run;
@@ -160,7 +160,7 @@ void read_state(Bytes bytes) {
   try {
     Archive read(state);
     run.archive(read);
-  } catch (const std::exception&) {  // as in step_to_end(): the run then starts anew
+  } catch (const std::exception&) {  // in this case step_to_end() starts the run again
   }
 }
 
@@ -173,20 +173,20 @@ void read_claims(Bytes bytes) {
   write(place / name, bytes);
   owner_of(place);
   const std::unique_ptr<Claim> claim = Claim::of(place, {.give_up = [] { return true; }});
-  if (claim) require(claim->holds(), "whoever claims a folder holds it");
+  if (claim) require(claim->holds(), "the owner of a claim holds it");
   std::filesystem::remove_all(place);
 }
 
-// JSON that a file keeps about its run: why it is implausible, its warnings, its config.
+// JSON in a run file: the broken bound, the warnings and the config.
 void read_texts(Bytes bytes) {
   const Json json = Json::parse(bytes, nullptr, false);
   if (const std::optional<BrokenBound> broken = broken_bound_of(json)) text_of(*broken);
   for (const Warning& warning : warnings_of(json))
-    require(warnings_of(to_json({warning})).size() == 1, "a warning comes back");
+    require(warnings_of(to_json({warning})).size() == 1, "a warning is read back");
   try {
     const RunConfig config = stored_run(json);
     identity_text(config.resolved());
-  } catch (const std::exception&) {  // whoever reads it says so
+  } catch (const std::exception&) {  // callers report this error
   }
 }
 
@@ -210,25 +210,25 @@ void read_written(Bytes bytes) {
   RunFileWriter writer(file, header, {}, {}, in_memory ? InMemory{1 << 20, 1e6} : InMemory{});
   writer.write(frame);
   writer.finish(footer);
-  const auto same = [](double one, double other) {
-    return std::memcmp(&one, &other, sizeof one) == 0 || (std::isnan(one) && std::isnan(other));
+  const auto same = [](double a, double b) {
+    return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b));
   };
   require(seal_of(file) == Seal::whole, "a finished file is sealed");
   const RunRecord run = read_run(file);
   require(run.id == header.id && run.name == header.name && run.config == header.config &&
               run.provenance.at("message") == header.provenance.at("message"),
-          "texts come back");
+          "texts are read back");
   require(run.frames == 1 && same(run.summary.at("drop"), footer.summary.at("drop")) &&
               run.passes.at(0).name == footer.passes.at(0).name,
-          "the footer comes back");
+          "the footer is read back");
   const std::vector<InputFile> inputs = read_inputs(file);
   require(inputs.size() == 1 && inputs[0].bytes == header.inputs[0].bytes &&
               inputs[0].name == header.inputs[0].name,
-          "input files come back");
+          "input files are read back");
   const RestRecord rest = read_rest(file);
   for (std::size_t i = 0; i < rest.positions.size(); ++i)
-    require(same(rest.positions[i], header.rest_positions[i]), "positions come back");
-  require(same(read_metric(file, "drop").at(0), frame.metrics[0]), "metrics come back");
+    require(same(rest.positions[i], header.rest_positions[i]), "positions are read back");
+  require(same(read_metric(file, "drop").at(0), frame.metrics[0]), "metrics are read back");
 }
 
 constexpr std::array readers = {read_seal,   read_checkpoints, read_archive, read_state,

@@ -1,4 +1,4 @@
-"""Installs the build, moves it, and builds and runs the example against it as a stranger would: outside the
+"""Installs the build and moves it. Then builds and runs the example against it as a user would: outside the
 tree, with plain -O2.
 
     install.py CMAKE BUILD_FOLDER COMPILER
@@ -21,12 +21,12 @@ from bendlab.results.facts import Facts  # noqa: E402
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = Path(__file__).resolve().parent / "example"
 CMAKE, BUILD, COMPILER = sys.argv[1:4]
-GRAVITY, DURATION, STEP = 9.81, 0.5, 1 / 60 / 8  # m/s², s, s: of sweep.json, and the default substep
+GRAVITY, DURATION, STEP = 9.81, 0.5, 1 / 60 / 8  # m/s²; s, of sweep.json; s, the default substep
 MINE = ("model", "effect", "method", "measure")
 
 
 def command(*arguments, folder):
-    """A finished command, as text."""
+    """Runs a command; its output is text."""
     return subprocess.run([str(argument) for argument in arguments], cwd=folder, text=True,
                           capture_output=True, stdin=subprocess.DEVNULL, check=False)
 
@@ -42,7 +42,7 @@ def lines(text):
 
 
 class Installed(unittest.TestCase):
-    """What `cmake --install` leaves, and what a program that finds it can do."""
+    """The files of `cmake --install`, and a program that uses the installed library."""
 
     @classmethod
     def setUpClass(cls):
@@ -62,7 +62,7 @@ class Installed(unittest.TestCase):
         cls.runs = lines(succeeds(cls.program, "run", "sweep.json", "--json", folder=cls.example))
         plain = json.loads((EXAMPLE / "sweep.json").read_text(encoding="utf-8"))
         plain.update(name="plain", sweep={"/bending/model": ["dihedral"]}, output={}, expect=[])
-        cls.write("plain.json", plain)  # the sweep without what the example brings
+        cls.write("plain.json", plain)  # the sweep without the additions of the example
 
     @classmethod
     def write(cls, name, config):
@@ -72,7 +72,7 @@ class Installed(unittest.TestCase):
     def tearDownClass(cls):
         cls.scratch.cleanup()
 
-    def test_every_header_that_a_header_includes_is_there(self):
+    def test_every_included_header_is_installed(self):
         folder = self.prefix / "include/bendlab"
         headers = list(folder.rglob("*.hpp"))
         self.assertGreater(len(headers), 100)
@@ -80,10 +80,10 @@ class Installed(unittest.TestCase):
             text = header.read_text(encoding="utf-8")
             for name in re.findall(r'^\s*#\s*include\s*"([^"]+)"', text, re.MULTILINE):
                 self.assertTrue((folder / name).is_file(), f"{header} includes {name}")
-            # What a header gives may not depend on the flags of the program that includes it.
+            # The contents of a header must not depend on the compiler flags of the program that includes it.
             self.assertNotRegex(text, r"__AVX|__SSE|__FMA", header)
 
-    def test_nothing_points_back_to_the_checkout_or_the_first_prefix(self):
+    def test_no_installed_file_names_the_checkout_or_the_first_prefix(self):
         for file in (self.prefix / "lib/cmake/bendlab").iterdir():
             text = file.read_text(encoding="utf-8")
             for path in (ROOT, BUILD, self.place / "first"):
@@ -92,13 +92,13 @@ class Installed(unittest.TestCase):
     def test_the_example_builds_without_a_warning(self):
         self.assertNotIn("warning", self.built)
 
-    def test_the_first_page_hangs_a_cloth(self):
+    def test_the_code_in_the_readme_of_the_project_runs(self):
         succeeds(self.example / "build/hang", folder=self.example)
-        shown = "\n".join((EXAMPLE / "hang.cpp").read_text(encoding="utf-8").splitlines()[4:10])
-        self.assertIn(shown, (ROOT / "README.md").read_text(encoding="utf-8"))
+        code = "\n".join((EXAMPLE / "hang.cpp").read_text(encoding="utf-8").splitlines()[4:10])
+        self.assertIn(code, (ROOT / "README.md").read_text(encoding="utf-8"))
 
-    def test_the_python_package_works_where_it_was_moved(self):
-        found = list(self.prefix.glob("lib*/**/python/bendlab"))
+    def test_the_python_package_works_after_the_prefix_is_moved(self):
+        packages = list(self.prefix.glob("lib*/**/python/bendlab"))
         if not (Path(BUILD) / "python").exists():
             self.skipTest("built without the Python module")
         lines_of_python = ("import bendlab as bl; cloth = bl.Scene(mesh=bl.grid(1, 1, 4)).simulate(); "
@@ -108,11 +108,12 @@ class Installed(unittest.TestCase):
                            "bl.load(table['file'][0]).model)")
         done = subprocess.run([sys.executable, "-c", lines_of_python], cwd=self.example, text=True,
                               capture_output=True,
-                              env={"PATH": "/usr/bin:/bin", "PYTHONPATH": str(found[0].parent)}, check=False)
+                              env={"PATH": "/usr/bin:/bin", "PYTHONPATH": str(packages[0].parent)},
+                              check=False)
         self.assertEqual(done.stdout, "(25, 3) complete discrete_shells\n", done.stderr)
-        self.assertTrue((found[0] / "__init__.pyi").is_file())
+        self.assertTrue((packages[0] / "__init__.pyi").is_file())
 
-    def test_the_sweep_has_its_runs_and_their_files_what_was_added(self):
+    def test_the_sweep_has_its_runs_and_their_files_have_the_added_model_and_measure(self):
         self.assertEqual([(run["point"]["/bending/model"], run["point"].get("/bending/edge_hinge/power"))
                           for run in self.runs],
                          [("edge_hinge", 0), ("edge_hinge", 1), ("edge_hinge", 2), ("dihedral", None)])
@@ -122,14 +123,14 @@ class Installed(unittest.TestCase):
                 self.assertEqual(json.loads(Facts(file).provenance["models"])["edge_hinge"]["label"],
                                  "edge hinge")
                 rest, last = file["rest/positions"][()], self.frame(file, -1)
-                # The measure, from the positions that the file has.
+                # The measure equals its value from the positions in the file.
                 self.assertAlmostEqual(Facts(file).summary["height"], last[:, 2].mean(), delta=1e-6)
-                # The model keeps the centre of mass on its way: n substeps of h fall g h² n (n + 1) / 2.
+                # The model does not move the centre of mass: n substeps of h fall by g h² n (n + 1) / 2.
                 fall = self.centre(file, rest, self.frame(file, 0)) - self.centre(file, rest, last)
                 np.testing.assert_allclose(fall, [0, 0, GRAVITY * DURATION * (DURATION + STEP) / 2],
                                            atol=2e-5)
 
-    def test_the_setting_of_the_model_decides_how_soft_a_hinge_is(self):
+    def test_the_softness_of_a_hinge_follows_the_setting_of_the_model(self):
         for run, power in zip(self.runs, (0, 1, 2)):
             with h5py.File(self.example / run["file"]) as file:
                 vertices, rest = file["constraints/hinge/vertices"][()], file["rest/positions"][()]
@@ -137,17 +138,18 @@ class Installed(unittest.TestCase):
                 self.assertEqual(len(edges), 3 * 8**2 - 2 * 8)  # interior edges of 8² squares cut in two
                 np.testing.assert_allclose(file["constraints/hinge/softness"][()], edges**-power, rtol=1e-12)
 
-    def test_the_effect_swings_a_free_sheet_with_the_method_as_with_others(self):
+    def test_the_effect_swings_a_free_sheet_with_the_added_method_and_with_library_methods(self):
         runs = lines(succeeds(self.program, "run", "trap.json", "--json", folder=self.example))
         self.assertEqual([run["point"]["/solver/method"] for run in runs],
                          ["symplectic_euler", "newton", "pbd"])
         for run in runs:
             self.assertEqual(run["status"], "complete")
             with h5py.File(self.example / run["file"]) as file:
-                # After half a period the sheet, which began at z = 1, is at -1. The membrane keeps its shape.
+                                # The sheet starts at z = 1. After half a period it is at z = -1; the membrane
+                                # keeps its shape.
                 np.testing.assert_allclose(self.frame(file, -1), self.frame(file, 0) - [0, 0, 2], atol=5e-3)
 
-    def test_with_k_a_model_of_hinges_that_differ_is_refused(self):
+    def test_a_model_whose_hinges_differ_in_softness_is_refused_with_k(self):
         by_k = json.dumps({"model": "edge_hinge", "k": 0.5})
         done = command(self.program, "run", "sweep.json", "--set", f"/bending={by_k}", "--set", "/sweep={}",
                        folder=self.example)
@@ -156,7 +158,7 @@ class Installed(unittest.TestCase):
         self.assertIn("softness_needs_compliance", done.stderr)
 
     def test_the_same_cloth_has_the_same_bits_in_the_installed_program(self):
-        """Library and example have different flags, and of a function that both have one is linked."""
+        """Library and example differ in compiler flags; the linker keeps one copy of a common function."""
         [run] = lines(succeeds(self.bendlab, "run", "plain.json", "--json", folder=self.example))
         with h5py.File(self.example / run["file"]) as file:
             positions = file["VTKHDF/Points"][()].tobytes()
@@ -164,11 +166,11 @@ class Installed(unittest.TestCase):
             with h5py.File(self.example / other["file"]) as file:
                 self.assertEqual(file["VTKHDF/Points"][()].tobytes(), positions)
 
-    def test_from_code_it_is_the_same_sweep(self):
+    def test_a_sweep_from_code_has_the_same_results(self):
         heights = [f"{i}: height {run['summary']['height']:.9f} m" for i, run in enumerate(self.runs)]
         self.assertEqual(succeeds(self.program, folder=self.example).splitlines(), heights)
 
-    def test_references_have_what_was_added_and_all_else_as_it_is(self):
+    def test_references_list_the_additions_and_are_otherwise_unchanged(self):
         for name in ("models", "effects", "methods", "measures"):
             theirs, ours = (json.loads(succeeds(program, name, "--json", folder=self.example))
                             for program in (self.program, self.bendlab))
@@ -188,7 +190,7 @@ class Installed(unittest.TestCase):
         self.assertEqual(theirs_methods["enum"], [*our_methods["enum"], "symplectic_euler"])
         self.assertEqual(theirs, ours)
 
-    def test_a_wrong_name_is_refused_with_the_nearest(self):
+    def test_a_wrong_name_is_refused_with_the_nearest_correct_name(self):
         self.write("wrong.json", {"name": "wrong", "output": {"measures": ["hight"]},
                                   "bending": {"model": "edge_hing", "edge_hinge": {"pwer": 2, "power": -1}}})
         done = command(self.program, "validate", "wrong.json", folder=self.example)
@@ -200,7 +202,7 @@ class Installed(unittest.TestCase):
             [line] = [line for line in done.stderr.splitlines() if line.startswith(f"  {place}: ")]
             self.assertIn(answer, line)
 
-    def test_the_installed_program_does_not_know_the_model_but_reads_its_runs(self):
+    def test_the_installed_program_does_not_know_the_added_model_but_reads_its_runs(self):
         done = command(self.bendlab, "validate", "sweep.json", folder=self.example)
         self.assertEqual(done.returncode, 3)
         self.assertIn("edge_hinge", done.stderr)
@@ -211,14 +213,14 @@ class Installed(unittest.TestCase):
         changed = self.place / "changed"
         shutil.copy(self.program, changed)
         with changed.open("ab") as file:
-            file.write(b"\0")  # behind the last section: the program works as before
+            file.write(b"\0")  # after the last section, so the program still works
 
         def ids(program, config):
             planned = succeeds(program, "plan", config, "--json", folder=self.example)
             return [run["id"] for run in lines(planned)]
         self.assertEqual(ids(self.program, "sweep.json"), [run["id"] for run in self.runs])
         self.assertFalse(set(ids(changed, "sweep.json")) & set(ids(self.program, "sweep.json")))
-        for program in (changed, self.program):  # of runs that are not its own it is bendlab
+        for program in (changed, self.program):  # runs without additions have the same id as in bendlab
             self.assertEqual(ids(program, "plain.json"), ids(self.bendlab, "plain.json"))
 
     def test_a_run_repeats_from_its_file(self):
@@ -240,7 +242,7 @@ class Installed(unittest.TestCase):
 
     @staticmethod
     def centre(file, rest, positions):
-        """Of mass: a vertex has a third of the area around it."""
+        """Centre of mass: each vertex has a third of the area of its triangles."""
         triangles, weight = file["rest/triangles"][()], np.zeros(len(rest))
         a, b, c = (rest[triangles[:, corner]] for corner in range(3))
         np.add.at(weight, triangles, np.linalg.norm(np.cross(b - a, c - a), axis=1)[:, None])

@@ -1,4 +1,4 @@
-// A finished run file says whether it was changed.
+// A change of a finished run file is detected.
 #include <fstream>
 #include <random>
 
@@ -18,7 +18,7 @@ void write_bytes(const fs::path& file, const std::string& bytes) {
 
 }  // namespace
 
-TEST_CASE("checksum: no changed, cut or longer file is whole", "[io][checksum]") {
+TEST_CASE("checksum: a changed, cut or longer file is not whole", "[io][checksum]") {
   const TemporaryFolder folder;
   const fs::path file = folder / "run.vtkhdf", changed = folder / "changed";
   write_square_run(file, 5);
@@ -45,9 +45,9 @@ TEST_CASE("checksum: no changed, cut or longer file is whole", "[io][checksum]")
   CHECK_THROWS_AS(seal_of(folder / ""), RunFileError);
 }
 
-TEST_CASE("checksum: of a file without one", "[io][checksum]") {
+TEST_CASE("checksum: files without a checksum, and the checksum of an empty file", "[io][checksum]") {
   const TemporaryFolder folder;
-  // XXH3 with 128 bits of no bytes, from its authors' test vectors.
+  // XXH3 with 128 bits for zero bytes, from the test vectors of its authors.
   write_bytes(folder / "empty", "");
   seal(folder / "empty");
   CHECK(bytes_of(folder / "empty") == "\nbendlab XXH3-128 99aa06d3014798d86001c324468d497f\n");

@@ -1,4 +1,4 @@
-// One owner of a folder at a time: among threads, processes, and machines that share a disk.
+// A folder has one owner at a time, among threads, processes, and machines that share a disk.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// As an owner on another machine writes it: no process here can be asked whether it lives.
+// Writes a claim like an owner on another machine. No process here can check whether this owner is alive.
 void write_foreign_claim(const fs::path& file, int count) {
   std::ofstream(file) << "token of another machine\nelsewhere\n1\n2\nanother boot\n" << count << '\n';
 }
@@ -48,10 +48,10 @@ TEST_CASE("claim: a folder has one owner among many threads", "[io][claim]") {
   for (std::thread& thread : threads) thread.join();
   CHECK(claims == 160);
   CHECK(most == 1);
-  CHECK(fs::is_empty(folder / ""));  // released claims leave nothing
+  CHECK(fs::is_empty(folder / ""));  // released claims leave no files
 }
 
-TEST_CASE("claim: the second waits for the first, says for whom, and may give up", "[io][claim]") {
+TEST_CASE("claim: a second process waits for the owner, can name it, and may give up", "[io][claim]") {
   const TemporaryFolder folder;
   auto first = Claim::of(folder / "");
   CHECK(owner_of(folder / "") == "process " + std::to_string(getpid()) + " on " + [] {
@@ -70,12 +70,12 @@ TEST_CASE("claim: the second waits for the first, says for whom, and may give up
   CHECK(owner_of(folder / "").empty());
 }
 
-TEST_CASE("claim: who was killed is succeeded at once", "[io][claim]") {
+TEST_CASE("claim: if the owner was killed, another process takes over at once", "[io][claim]") {
   const TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {
     auto claim = Claim::of(folder / "");
-    _exit(claim ? 0 : 1);  // without its destructor, as after kill -9
+    _exit(claim ? 0 : 1);  // without its destructor, like after kill -9
   }
   int status = 0;
   REQUIRE(waitpid(child, &status, 0) == child);
@@ -88,7 +88,7 @@ TEST_CASE("claim: who was killed is succeeded at once", "[io][claim]") {
   CHECK(claim->holds());
 }
 
-TEST_CASE("claim: an owner that has ended is dead before its parent asks", "[io][claim]") {
+TEST_CASE("claim: an owner that has ended counts as dead, even as a zombie", "[io][claim]") {
   const TemporaryFolder folder;
   const pid_t child = fork();
   if (child == 0) {
@@ -97,7 +97,8 @@ TEST_CASE("claim: an owner that has ended is dead before its parent asks", "[io]
     _exit(0);
   }
   siginfo_t info{};
-  REQUIRE(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) == 0);  // it stays a zombie
+  REQUIRE(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) ==
+          0);  // the child stays a zombie
   CHECK(owner_of(folder / "").empty());
   CHECK(heartbeat_in(folder / "").empty());
   CHECK(Claim::of(folder / "", {.when_owned = WhenOwned::leave}));
@@ -105,7 +106,7 @@ TEST_CASE("claim: an owner that has ended is dead before its parent asks", "[io]
   REQUIRE(waitpid(child, &status, 0) == child);
 }
 
-TEST_CASE("claim: a folder may be left to its owner", "[io][claim]") {
+TEST_CASE("claim: with WhenOwned::leave a claimed folder is left to its owner", "[io][claim]") {
   const TemporaryFolder folder, elsewhere;
   auto owner = Claim::of(folder / "");
   CHECK_FALSE(heartbeat_in(folder / "").empty());
@@ -115,7 +116,7 @@ TEST_CASE("claim: a folder may be left to its owner", "[io][claim]") {
   CHECK(heartbeat_in(folder / "").empty());
   CHECK(Claim::of(folder / "", {.when_owned = WhenOwned::leave}));
 
-  // Nobody here knows whether an owner elsewhere lives: its heartbeat tells.
+  // Whether an owner on another machine is alive is known only by its heartbeat.
   const fs::path file = elsewhere / "run.claim.1";
   write_foreign_claim(file, 1);
   CHECK_FALSE(Claim::of(elsewhere / "", {.lease = 100ms, .when_owned = WhenOwned::leave}));
@@ -131,8 +132,9 @@ TEST_CASE("claim: a folder may be left to its owner", "[io][claim]") {
   CHECK(Claim::of(elsewhere / "", {.lease = 100ms, .when_owned = WhenOwned::leave_living}));
 }
 
-TEST_CASE("claim: a silent owner on another machine is succeeded after a lease, one that beats is not",
-          "[io][claim]") {
+TEST_CASE(
+    "claim: an owner on another machine loses its claim after a lease without heartbeat, but not with one",
+    "[io][claim]") {
   const TemporaryFolder folder;
   const fs::path file = folder / "run.claim.7";
   write_foreign_claim(file, 0);
@@ -154,7 +156,7 @@ TEST_CASE("claim: a silent owner on another machine is succeeded after a lease, 
   CHECK(seconds_since(silent) >= 0.3);
   CHECK(claim->holds());
   CHECK_FALSE(fs::exists(file));
-  write_foreign_claim(folder / "run.claim.9", 0);  // as if this machine had slept
+  write_foreign_claim(folder / "run.claim.9", 0);  // like after a sleep of this machine
   CHECK_FALSE(claim->holds());
 }
 
@@ -163,7 +165,7 @@ TEST_CASE("claim: a folder that cannot be written is an error", "[io][claim]") {
   CHECK_THROWS_AS(Claim::of(folder / "absent"), RunFileError);
 }
 
-TEST_CASE("disk: a new file is none that exists, nor what a link points to", "[io]") {
+TEST_CASE("disk: creating a new file never overwrites an existing file or the target of a link", "[io]") {
   const TemporaryFolder folder;
   std::ofstream(folder / "mine") << "kept";
   fs::create_symlink(folder / "mine", folder / "link");

@@ -1,4 +1,4 @@
-// Frames go to the file in order, on another thread, and a failure there reaches the caller.
+// Another thread writes frames to the file in order, and a failure there reaches the caller.
 #include "bendlab/io/frame_writer.hpp"
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Time and positions of frame k; metrics and cell fields are left to `fill`.
+/// Time and positions of frame k. `fill` adds metrics and cell fields.
 Frame bare_frame(int k) {
   Frame frame = square_frame(k);
   frame.metrics.clear();
@@ -49,7 +49,7 @@ TEST_CASE("frame writer: frames are prepared and written in order", "[io]") {
   CHECK(wrong_frames(path) == 0);
 }
 
-TEST_CASE("frame writer: counts the processor time of its thread only", "[io]") {
+TEST_CASE("frame writer: only the processor time of its thread is counted", "[io]") {
   const TemporaryFolder folder;
   using Clock = std::chrono::steady_clock;
   FrameWriter writer(folder / "run.vtkhdf", square_header(), [](Frame& frame) {
@@ -64,7 +64,7 @@ TEST_CASE("frame writer: counts the processor time of its thread only", "[io]") 
   const double wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
   CHECK(writer.cpu_s() > 0);
   CHECK(writer.cpu_s() <=
-        wall_s - 0.2 + 0.01);  // the 200 ms of sleep don't count; clocks tick at most every 10 ms
+        wall_s - 0.2 + 0.01);  // 200 ms of sleep do not count; clocks tick at least every 10 ms
 }
 
 TEST_CASE("frame writer: the queue is bounded", "[io]") {
@@ -76,7 +76,7 @@ TEST_CASE("frame writer: the queue is bounded", "[io]") {
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return open; });
   });
-  // One frame is in the thread's hands and waits; `capacity` more fit in the queue.
+  // The thread holds a frame and waits. `capacity` further frames fit into the queue.
   constexpr int fit = 1 + static_cast<int>(FrameWriter::capacity);
   std::atomic<int> pushed = 0;
   std::thread solver([&] {
@@ -86,7 +86,8 @@ TEST_CASE("frame writer: the queue is bounded", "[io]") {
     }
   });
   while (pushed < fit) std::this_thread::yield();
-  std::this_thread::sleep_for(std::chrono::milliseconds(50));  // time for a push too many, were it possible
+  std::this_thread::sleep_for(
+      std::chrono::milliseconds(50));  // enough time for another push, if it were possible
   CHECK(pushed == fit);
   {
     const std::scoped_lock lock(mutex);
@@ -99,7 +100,7 @@ TEST_CASE("frame writer: the queue is bounded", "[io]") {
   CHECK(wrong_frames(folder / "run.vtkhdf") == 0);
 }
 
-TEST_CASE("frame writer: what the thread throws reaches the caller, and the frames before it stay", "[io]") {
+TEST_CASE("frame writer: an exception of the thread reaches the caller, and earlier frames stay", "[io]") {
   const TemporaryFolder folder;
   const auto path = folder / "run.vtkhdf";
   FrameWriter writer(path, square_header(), [](Frame& frame) {
@@ -112,13 +113,13 @@ TEST_CASE("frame writer: what the thread throws reaches the caller, and the fram
   CHECK(error_text<std::domain_error>([&] { writer.push(square_frame(0)); }) == "frame 3");
   RunFooter footer;
   footer.status = RunStatus::diverged;
-  writer.finish(footer);  // the failure is known by now
+  writer.finish(footer);  // the caller already knows the failure
   CHECK(read_run(path).status == RunStatus::diverged);
   CHECK(read_run(path).frames == 3);
   CHECK(wrong_frames(path) == 0);
 }
 
-TEST_CASE("frame writer: finish reports a failure nobody has seen", "[io]") {
+TEST_CASE("frame writer: finish reports a failure that was not reported before", "[io]") {
   const TemporaryFolder folder;
   FrameWriter writer(folder / "run.vtkhdf", square_header(),
                      [](Frame&) { throw std::domain_error("frame 0"); });
@@ -127,7 +128,7 @@ TEST_CASE("frame writer: finish reports a failure nobody has seen", "[io]") {
   CHECK(fs::exists(folder / "run.vtkhdf.part"));
 }
 
-TEST_CASE("frame writer: writes what is queued before it goes", "[io]") {
+TEST_CASE("frame writer: the destructor writes queued frames first", "[io]") {
   const TemporaryFolder folder;
   {
     FrameWriter writer(folder / "run.vtkhdf", square_header());
@@ -137,7 +138,7 @@ TEST_CASE("frame writer: writes what is queued before it goes", "[io]") {
   CHECK(wrong_frames(folder / "run.vtkhdf.part") == 0);
 }
 
-TEST_CASE("frame writer: a folder that is absent is refused at once", "[io]") {
+TEST_CASE("frame writer: a missing folder is refused at once", "[io]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(FrameWriter(folder / "absent" / "run.vtkhdf", square_header()), RunFileError);
 }

@@ -1,4 +1,4 @@
-// A run that is killed, or runs into a full disk, keeps every frame whose write() returned.
+// After a kill or on a full disk, a run keeps every frame whose write() returned.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,10 +25,10 @@ namespace {
 /// A child process with a pipe to its parent.
 struct Child {
   pid_t pid = -1;
-  int output = -1;  ///< what it writes
+  int output = -1;  ///< the read end of the pipe
 };
 
-/// `work` gets the pipe's end and never returns to the test program.
+/// Runs `work` in a child process. It gets the write end of the pipe, and never returns to the test program.
 template <class Work>
 Child fork_child(const Work& work) {
   std::array<int, 2> ends{};
@@ -46,7 +46,7 @@ Child fork_child(const Work& work) {
   return {pid, ends[0]};
 }
 
-/// Everything that is left in the pipe, after the child's end.
+/// Everything in the pipe, until the child ends.
 std::string read_all(const Child& child) {
   std::string text;
   std::array<char, 4096> buffer{};
@@ -56,7 +56,7 @@ std::string read_all(const Child& child) {
   return text;
 }
 
-/// As long as it lives, the system's folder for temporary files is this one.
+/// During its lifetime, the system's folder for temporary files is this folder.
 class TemporaryFilesIn {
  public:
   explicit TemporaryFilesIn(const fs::path& folder) {
@@ -92,7 +92,7 @@ TEST_CASE("run file: kill -9 at any moment keeps every written frame", "[io]") {
       }
     });
     char first = 0;
-    REQUIRE(read(child.output, &first, 1) == 1);  // the run has begun
+    REQUIRE(read(child.output, &first, 1) == 1);  // the run has started
     std::this_thread::sleep_for(std::chrono::microseconds(delay_us(random)));
     kill(child.pid, SIGKILL);
     int status = 0;
@@ -107,7 +107,7 @@ TEST_CASE("run file: kill -9 at any moment keeps every written frame", "[io]") {
     CHECK(wrong_frames(part) == 0);
     CHECK(goes_on_from(part, path, run.frames));
     CHECK(wrong_frames(path) == 0);
-    if (i > 0) continue;  // starting Python takes longer than all the rest
+    if (i > 0) continue;  // starting Python would take most of the time
     CHECK(h5py_accepts(path, R"(
 steps, frames = run['VTKHDF/Steps'], run['metrics/values'].shape[0]
 assert steps.attrs['NSteps'] == frames == len(steps['CellDataOffsets/shape'])
@@ -120,7 +120,7 @@ assert json.loads(run['outcome'][()].tobytes())['status'] == 'interrupted'
   }
 }
 
-TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io]") {
+TEST_CASE("run file: frames beyond the end that a killed flush recorded are read", "[io]") {
   const TemporaryFolder folder;
   const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part", killed = folder / "killed.part";
   const auto bytes = [](const fs::path& file) {
@@ -136,7 +136,7 @@ TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io
   const std::string after = bytes(part);
   REQUIRE(before != after.substr(0, superblock));
   std::ofstream(killed, std::ios::binary) << before << after.substr(superblock);
-  // It is read from a temporary copy, which does not stay. Reading needs no right to write.
+  // The file is read from a temporary copy, which is removed. Reading needs no write permission.
   {
     const TemporaryFilesIn here(folder / "temporary");
     fs::create_directory(folder / "temporary");
@@ -155,7 +155,7 @@ TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io
   CHECK(goes_on_from(killed, folder / "other.vtkhdf", frames));
 }
 
-TEST_CASE("run file: an end that a killed process began to write is none", "[io]") {
+TEST_CASE("run file: an end that a killed process only started to write does not count", "[io]") {
   const TemporaryFolder folder;
   const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
   {
@@ -173,8 +173,8 @@ with h5py.File(sys.argv[1], 'r+') as file:
 }
 
 TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {
-  // A limit on the file's size stands in for the disk: writes beyond it fail, as they do on a full disk. The
-  // sizes are spread over the growth of several frames.
+  // A limit on the file size replaces a full disk: writes beyond the limit fail in the same way. The limits
+  // are spread over the growth of several frames.
   for (rlim_t limit = 180000; limit < 210000; limit += 3777) {
     CAPTURE(limit);
     const TemporaryFolder folder;
@@ -191,9 +191,9 @@ TEST_CASE("run file: a full disk is an error that keeps the frames before it", "
         }
       });
       const std::string again = error_text<RunFileError>([&] { writer.finish({}); });
-      const bool told = text.find("File too large. Free some space") != std::string::npos &&
-                        again.find("an earlier write failed") != std::string::npos;
-      if (!told) _exit(4);
+      const bool reported = text.find("File too large. Free some space") != std::string::npos &&
+                            again.find("an earlier write failed") != std::string::npos;
+      if (!reported) _exit(4);
     });
     int status = 0;
     const std::size_t written = read_all(child).size();
@@ -208,7 +208,7 @@ TEST_CASE("run file: a full disk is an error that keeps the frames before it", "
   }
 }
 
-TEST_CASE("run file: a run goes on only where there is room for all of its earlier frames", "[io]") {
+TEST_CASE("run file: a run continues only if there is room for all its earlier frames", "[io]") {
   constexpr int frames = 20;
   const TemporaryFolder folder;
   const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
@@ -217,8 +217,8 @@ TEST_CASE("run file: a run goes on only where there is room for all of its earli
     for (int k = 0; k < frames; ++k) writer.write(square_frame(k));
   }
   REQUIRE(read_run(part).frames == frames);
-  // The disk filled meanwhile. A frame may take 64 KB with the indices of its four datasets, so that 20 may
-  // not fit into 1 MB, and one does. It is told before the first is copied.
+  // The disk is full now. A frame may take 64 KB with the indices of its four datasets, so 1 MB has room for
+  // one frame but perhaps not for 20. The error comes before the first frame is copied.
   const Child child = fork_child([&](int) {
     const rlimit size{1 << 20, 1 << 20};
     signal(SIGXFSZ, SIG_IGN);

@@ -1,5 +1,4 @@
-// A run whose every number is known beforehand: a unit square of two triangles that rises by one metre per
-// frame.
+// A run in which every number is known: a unit square of two triangles that rises by a metre per frame.
 #pragma once
 
 #include <cstdlib>
@@ -52,7 +51,8 @@ inline RunHeader square_header() {
   return header;
 }
 
-/// z of frame k is k; drop is k, energy k²; cell fields are 10k + t and −k. All exact in single precision.
+/// In frame k, z and drop are k and the energy is k². Cell fields are 10k + t and −k. All are exact in single
+/// precision.
 inline Frame square_frame(int k) {
   const double z = k;
   Frame frame;
@@ -75,7 +75,7 @@ inline RunFooter square_footer() {
   return footer;
 }
 
-/// Writes `frames` frames and finishes.
+/// Writes `frames` frames and finishes the file.
 inline void write_square_run(const std::filesystem::path& path, int frames) {
   RunFileWriter writer(path, square_header());
   for (int k = 0; k < frames; ++k) writer.write(square_frame(k));
@@ -98,7 +98,7 @@ inline std::size_t wrong_frames(const std::filesystem::path& path) {
   return wrong;
 }
 
-/// Whether a new writer can begin with the first frames of an unfinished run, write one more, and finish.
+/// Whether a new writer can take over the first frames of an unfinished run, write another frame, and finish.
 inline bool goes_on_from(const std::filesystem::path& part, const std::filesystem::path& path,
                          std::uint64_t frames) try {
   RunFileWriter writer(path, square_header(), path.string() + ".new.part", {part, frames});
@@ -116,7 +116,7 @@ inline std::string bytes_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The text of the exception of type `Error` that `action` throws; empty where it throws none.
+/// The text of the exception of type `Error` that `action` throws, or empty if it throws none.
 template <class Error, class Action>
 std::string error_text(const Action& action) {
   try {
@@ -127,13 +127,13 @@ std::string error_text(const Action& action) {
   return {};
 }
 
-/// Runs a script with `file` as `run`, opened by h5py, numpy as np and json. True where every assertion in it
-/// held.
+/// Runs a Python script in which `run` is the file opened by h5py; it may use np (numpy) and json. True if
+/// all its assertions hold.
 inline bool h5py_accepts(const std::filesystem::path& file, const std::string& script) {
   const auto path = file.string() + ".check.py";
   std::ofstream(path) << "import json, sys, h5py, numpy as np\nrun = h5py.File(sys.argv[1], 'r')\n" << script;
-  const std::string given = places::python;
-  const std::string python = given.empty() ? "/usr/bin/python3" : given;
+  const std::string configured = places::python;
+  const std::string python = configured.empty() ? "/usr/bin/python3" : configured;
   return std::system(("'" + python + "' '" + path + "' '" + file.string() + "'").c_str()) == 0;
 }
 

@@ -1,4 +1,4 @@
-// What each policy makes of each kind of bad mesh, counted by hand.
+// The mesh that each policy makes of each kind of bad mesh, counted by hand.
 #include "bendlab/mesh/bad_triangles.hpp"
 
 #include <algorithm>
@@ -62,24 +62,25 @@ std::vector<Case> cases() {
   add("a repeated vertex", {4, 2, 4, 2}, [](PolygonSoup& s) { s.triangles.push_back({1, 2, 1}); });
   add("a duplicate triangle", {4, 2, 4, 2}, [](PolygonSoup& s) { s.triangles.push_back({1, 0, 2}); });
   add("an isolated vertex", {4, 2, 4, 2}, [](PolygonSoup& s) { s.points.push_back({5, 5, 5}); });
-  // A cap on the diagonal, whose halves then share its middle: both triangles are split there.
+  // A cap on the diagonal. Both triangles at the diagonal are split at the third vertex of the cap.
   add("a cap without height", {5, 3, 5, 4}, [](PolygonSoup& s) {
     s.points.push_back({0.5, 0.5, 0});
     s.triangles = {{0, 1, 2}, {0, 4, 2}, {0, 2, 3}};
   });
-  // Its third vertex becomes one of the boundary.
+  // Its third vertex becomes a vertex of the boundary.
   add("a cap beyond the boundary", {5, 3, 5, 3}, [](PolygonSoup& s) {
     s.points.push_back({1, 0.25, 0});
     s.triangles.push_back({1, 4, 2});
   });
-  // Nothing lies beyond its longest edge: it goes, and the two that it joined touch in a point.
+  // No triangle lies beyond its longest edge. The cap is removed, and the two triangles beside it touch in a
+  // point.
   add("a cap whose long edge is free", {5, 3, 6, 2}, [](PolygonSoup& s) {
     s.points[2] = {1, 0.5, 0}, s.points[1] = {2, 0.5, 0};
     s.points[0] = {0, 0.5, 0}, s.points[3] = {1, 1, 0};
     s.points.push_back({2, 1, 0});
     s.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 4}};
   });
-  // Vertex 4 is vertex 2 once more.
+  // Vertex 4 is at the place of vertex 2.
   add("a needle without width", {5, 3, 4, 2}, [](PolygonSoup& s) {
     s.points.push_back({1, 1, 0});
     s.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}};
@@ -109,7 +110,7 @@ std::vector<Case> cases() {
 
 }  // namespace
 
-TEST_CASE("every policy but refuse takes what can be simulated", "[mesh][bad]") {
+TEST_CASE("every policy except refuse accepts meshes that can be simulated", "[mesh][bad]") {
   for (const Case& c : cases())
     for (const BadTriangles policy :
          {BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair}) {
@@ -124,7 +125,7 @@ TEST_CASE("every policy but refuse takes what can be simulated", "[mesh][bad]") 
     }
 }
 
-TEST_CASE("refuse takes only a sound mesh", "[mesh][bad]") {
+TEST_CASE("the policy refuse accepts only a sound mesh", "[mesh][bad]") {
   for (const Case& c : cases()) {
     INFO(c.name);
     bool harmful = false;
@@ -153,9 +154,9 @@ TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
 
 namespace {
 
-// 4 by 4 unit cells, two triangles each; of these triangle 12, inside, is turned around. Then what each
-// policy leaves out: two copies, a repeated vertex, three indices out of range. Last a cap on the edge of
-// triangle 0 at the boundary.
+// 4 by 4 unit cells with two triangles each. Triangle 12, in the interior, is turned over. Then follow
+// triangles that every policy leaves out: two duplicates, one with a repeated vertex, three with indices out
+// of range. The last triangle is a cap on the edge of triangle 0 at the boundary.
 //
 //  5 ------ 6
 //  |  1   / |
@@ -186,16 +187,16 @@ PolygonSoup damaged_lattice() {
   return soup;
 }
 
-// The sum of the counts in the notes that begin with a remedy, which has no digits: "left out: 2 triangles
-// with …".
-int told(const AcceptedMesh& accepted, const std::string& remedy) {
+// The sum of the counts in the notes that begin with this remedy, such as "left out: 2 triangles with …". A
+// remedy has no digits.
+int reported(const AcceptedMesh& accepted, const std::string& remedy) {
   int count = 0;
   for (const std::string& note : accepted.notes)
     if (note.starts_with(remedy)) count += std::stoi(note.substr(note.find_first_of("0123456789")));
   return count;
 }
 
-// The triangles in any order, each from its lowest corner on: what is the same for a reader.
+// The triangles in any order. Each starts with its lowest corner, so equal triangles compare as equal.
 std::multiset<std::array<int, 3>> oriented_triangles(const TriangleMesh& mesh) {
   std::multiset<std::array<int, 3>> all;
   for (const auto& t : mesh.triangles.rowwise()) {
@@ -208,7 +209,7 @@ std::multiset<std::array<int, 3>> oriented_triangles(const TriangleMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("regularise and membrane_off change no more triangles than they say", "[mesh][bad]") {
+TEST_CASE("regularise and membrane_off change exactly the triangles that they report", "[mesh][bad]") {
   PolygonSoup kept = lattice();
   std::swap(kept.triangles[turned][1], kept.triangles[turned][2]);
   const auto inverse_of_kept = inverse_rest_from_warp(to_mesh(kept), Vector3::UnitX());
@@ -218,7 +219,7 @@ TEST_CASE("regularise and membrane_off change no more triangles than they say", 
     const int left_out =
         static_cast<int>(soup.triangles.size()) - static_cast<int>(accepted.mesh.triangle_count());
     CHECK(left_out == 6);
-    CHECK(told(accepted, "left out") == left_out);
+    CHECK(reported(accepted, "left out") == left_out);
     CHECK(accepted.mesh.positions.topRows(25) == to_mesh(kept).positions);
     CHECK(accepted.mesh.triangles.topRows(cap) == to_mesh(kept).triangles);
     CHECK(accepted.mesh.triangles.row(cap) == Eigen::RowVector3i(1, 0, 25));
@@ -228,20 +229,20 @@ TEST_CASE("regularise and membrane_off change no more triangles than they say", 
     for (std::size_t t = 0; t < inverse.size(); ++t)
       changed += t >= inverse_of_kept.size() || inverse[t] != inverse_of_kept[t];
     CHECK(changed == 1);  // the cap
-    CHECK(told(accepted, policy == BadTriangles::regularise ? "given a rest height" : "without a strain") ==
-          changed);
-    CHECK(told(accepted, "kept") == 3);  // the edges of the triangle turned around
+    CHECK(reported(accepted, policy == BadTriangles::regularise ? "given a rest height"
+                                                                : "without a strain") == changed);
+    CHECK(reported(accepted, "kept") == 3);  // the edges of the turned triangle
     CHECK(accepted.notes.size() == 5);
   }
 }
 
-TEST_CASE("repair changes no more triangles than it says", "[mesh][bad]") {
+TEST_CASE("repair changes exactly the triangles that it reports", "[mesh][bad]") {
   const AcceptedMesh accepted = accept(damaged_lattice(), BadTriangles::repair);
-  CHECK(told(accepted, "left out") == 6);
-  CHECK(told(accepted, "collapsed, or split") == 1);
-  CHECK(told(accepted, "turned alike") == 3);  // edges
+  CHECK(reported(accepted, "left out") == 6);
+  CHECK(reported(accepted, "collapsed, or removed") == 1);
+  CHECK(reported(accepted, "turned to face the same side") == 3);  // edges
   CHECK(accepted.notes.size() == 5);
-  // The cap goes, the triangle beyond its longest edge becomes two, and the one turned around is turned back.
+  // The cap is removed, the triangle beyond its longest edge becomes two, and triangle 12 is turned back.
   PolygonSoup expected = lattice();
   expected.points.push_back({0.5, 0, 0});
   expected.triangles[0] = {0, 25, 6};
@@ -250,7 +251,7 @@ TEST_CASE("repair changes no more triangles than it says", "[mesh][bad]") {
   CHECK(oriented_triangles(accepted.mesh) == oriented_triangles(to_mesh(expected)));
 }
 
-TEST_CASE("nothing to simulate is refused by every policy", "[mesh][bad]") {
+TEST_CASE("every policy refuses a mesh without a valid triangle", "[mesh][bad]") {
   const PolygonSoup nothing,
       only_bad{.points = {{0, 0, 0}, {1, 0, 0}, {nan_value, 0, 0}},
                .triangles = {{0, 1, 2}, {0, 0, 1}},
@@ -263,7 +264,7 @@ TEST_CASE("nothing to simulate is refused by every policy", "[mesh][bad]") {
       CHECK_THROWS_AS(accept(soup, policy), std::invalid_argument);
 }
 
-TEST_CASE("repair splits a cap's neighbours and keeps area and texture", "[mesh][bad]") {
+TEST_CASE("repair splits the neighbours of a cap, and keeps area and texture", "[mesh][bad]") {
   PolygonSoup soup = square();
   soup.points.push_back({0.5, 0.5, 0});
   soup.triangles = {{0, 1, 2}, {0, 4, 2}, {0, 2, 3}};
@@ -285,15 +286,15 @@ TEST_CASE("repair splits a cap's neighbours and keeps area and texture", "[mesh]
 
 namespace {
 
-// Vertices - edges + triangles: 1 of a disc, 0 of a ring and of a Möbius band.
+// Vertices - edges + triangles: 1 for a disc, 0 for a ring and for a Möbius band.
 Eigen::Index euler_number(const TriangleMesh& mesh) {
   return mesh.vertex_count() - RestMesh(mesh).edges().rows() + mesh.triangle_count();
 }
 
 }  // namespace
 
-// Cut across it is a strip, a disc; cut along it would be a ring, twice as long.
-TEST_CASE("repair cuts a Möbius band across, and says so", "[mesh][bad]") {
+// Cut across, the band is a strip (a disc). Cut lengthwise it would be a ring, twice as long.
+TEST_CASE("repair cuts a Möbius band across, and reports this", "[mesh][bad]") {
   constexpr int around = 40, across = 3;
   constexpr double width = 0.3;
   PolygonSoup soup;
@@ -317,22 +318,22 @@ TEST_CASE("repair cuts a Möbius band across, and says so", "[mesh][bad]") {
   CHECK(diagnose(accepted.mesh).empty());
   CHECK(accepted.mesh.triangle_count() == 2 * around * across);
   CHECK(euler_number(accepted.mesh) == 1);
-  // A path of n edges across has n + 1 vertices, which are doubled.
+  // The cut runs along n edges, so n + 1 vertices are doubled.
   const auto doubled = accepted.mesh.vertex_count() - 4 * around;
-  CHECK(told(accepted, "cut along") == doubled - 1);
+  CHECK(reported(accepted, "cut along") == doubled - 1);
   const auto cut =
       std::ranges::find_if(accepted.notes, [](auto& note) { return note.starts_with("cut along"); });
   REQUIRE(cut != accepted.notes.end());
   const double length = std::stod(cut->substr(cut->find(", ") + 2));
-  CHECK(length > 0.999 * width);  // three digits are written
+  CHECK(length > 0.999 * width);  // the report has three digits
   CHECK(length < 2 * width);
 }
 
-TEST_CASE("repair unites points that rounding has moved apart", "[mesh][bad]") {
+TEST_CASE("repair merges points that rounding has moved apart", "[mesh][bad]") {
   for (const double size : {1e-3, 1.0, 1e3})
     for (const double apart : {0.0, 1e-7, 1e-6, 1e-5}) {
       INFO(size << " m, " << apart << " of it");
-      // Two halves of a square that have no vertex in common; √2 large.
+      // Two halves of a square without common vertices. The size of the square is √2.
       PolygonSoup soup{
           .points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {apart, 0, apart}, {1, 1 - apart, 0}, {0, 1, 0}},
           .triangles = {{0, 1, 2}, {3, 4, 5}}};
@@ -341,7 +342,7 @@ TEST_CASE("repair unites points that rounding has moved apart", "[mesh][bad]") {
       const AcceptedMesh accepted = accept(soup, BadTriangles::repair);
       const bool united = std::sqrt(2.0) * apart < std::sqrt(2.0) * united_within;
       CHECK(accepted.mesh.vertex_count() == (united ? 4 : 6));
-      CHECK(told(accepted, "united") == (united ? 2 : 0));
+      CHECK(reported(accepted, "united") == (united ? 2 : 0));
       if (!united) continue;
       CHECK(accepted.notes[0].find(apart > 0 ? "m away" : "at the same place") != std::string::npos);
       CHECK(accepted.notes[0].find("2e-06 of the mesh's size") != std::string::npos);
@@ -351,7 +352,7 @@ TEST_CASE("repair unites points that rounding has moved apart", "[mesh][bad]") {
     }
 }
 
-TEST_CASE("a triangle without area gets a rest shape of a thousandth of its length", "[mesh][bad]") {
+TEST_CASE("a triangle without area gets a rest height of a thousandth of its length", "[mesh][bad]") {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     PolygonSoup soup = square();
     soup.points.push_back({1, 0.25, 0});
@@ -361,27 +362,28 @@ TEST_CASE("a triangle without area gets a rest shape of a thousandth of its leng
     const TriangleMesh mesh = accept(soup, BadTriangles::regularise).mesh;
     CHECK(triangles_without_area(mesh) == std::vector<char>{0, 0, 1});
     const InverseRest q = inverse_rest_from_warp(mesh, Vector3::UnitX())[2];
-    // Base 1, height 1/1000: |det Q⁻¹| = 1 / 0.001 and the foot of the height where vertex 4 is.
+    // The base is 1 and the height 1/1000, so |det Q⁻¹| = 1 / 0.001. The foot of the height is at vertex 4.
     CHECK_THAT(std::abs(q[0] * q[3] - q[1] * q[2]), WithinRel(1000 / (scale * scale), 1e-9));
   }
 }
 
-TEST_CASE("what has no area still has mass and a place in the membrane", "[mesh][bad]") {
+TEST_CASE("triangles without area still have mass, and hold vertices in the membrane", "[mesh][bad]") {
   PolygonSoup soup = square();
-  soup.points.push_back({1, 0.25, 0});   // held by the cap alone
+  soup.points.push_back({1, 0.25, 0});   // only in the cap
   soup.points.push_back({0.5, 0.5, 0});  // on the diagonal, in two more triangles
   soup.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {0, 5, 2}, {0, 5, 3}};
   const TriangleMesh mesh = accept(soup, BadTriangles::membrane_off).mesh;
   const RestMesh rest(mesh);
   const std::vector<double> mass = lumped_masses(rest, 1);
   for (const double m : mass) CHECK(m > 0);
-  // Areas ½, ½ and ¼; the first five sixths of a mean mass for the sixth vertex is what its sound triangle
-  // gives.
+  // The areas are ½, ½ and ¼. Vertex 4 gets a hundredth of the mean mass, vertex 5 a third of its sound
+  // triangle.
   const double mean = (0.5 + 0.5 + 0.25) / 6;
   CHECK_THAT(mass[4], WithinRel(0.01 * mean, 1e-12));
   CHECK_THAT(mass[5], WithinRel(0.25 / 3, 1e-12));
 
-  // Without the cap at the boundary vertex 4 would be in no constraint; the one on the diagonal can go.
+  // Without the cap at the boundary, vertex 4 would be in no constraint. The cap on the diagonal is
+  // dispensable.
   CHECK(dispensable_triangles(rest) == std::vector<char>{0, 0, 0, 1, 0});
   const Pins none = make_pins(rest, {}, 0);
   const auto inverse = inverse_rest_from_warp(mesh, Vector3::UnitX());
@@ -390,7 +392,7 @@ TEST_CASE("what has no area still has mass and a place in the membrane", "[mesh]
   for (const InverseRest& q : inverse)
     for (const double entry : q) CHECK(std::isfinite(entry));
 
-  // It has no stretch to be measured, however it is deformed.
+  // The meter ignores its stretch, for any deformation.
   const StretchMeter meter(rest, none);
   Positions moved = mesh.positions;
   moved(4, 2) += 7;

@@ -8,12 +8,12 @@
 
 namespace bendlab {
 
-TEST_CASE("connected parts: a sheet is one, breadth first from its first vertex", "[mesh]") {
+TEST_CASE("connected parts: a sheet is one part, in breadth-first order from its first vertex", "[mesh]") {
   const RestMesh sheet(grid(1, 1, 2, 1));  // 3 4 5 above 0 1 2, diagonals from lower left to upper right
   CHECK(connected_parts(sheet.one_ring()) == std::vector<std::vector<int>>{{0, 1, 3, 4, 2, 5}});
 }
 
-TEST_CASE("connected parts: a sheet cut in two is two that hold every vertex once", "[mesh]") {
+TEST_CASE("connected parts: a sheet cut in two is two parts, which hold every vertex once", "[mesh]") {
   const RestMesh cut(with_flaw(grid(1, 1, 6, 6), "pieces"));
   const auto parts = connected_parts(cut.one_ring());
   REQUIRE(parts.size() == 2);

@@ -1,4 +1,4 @@
-// Polygons whose area is known, cut into triangles that face as they do.
+// Polygons of known area are cut into triangles, which keep the area and face the same side.
 #include "bendlab/mesh/cut_polygon.hpp"
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ namespace {
 using Corners = std::vector<Vector3>;
 using Numbers = std::vector<std::array<std::size_t, 3>>;
 
-constexpr double thickness = 1e-7;  // of polygons about 1 large
+constexpr double thickness = 1e-7;  // for polygons of a size of about 1
 
 Corners flat(std::initializer_list<std::array<double, 2>> list) {
   Corners corners;
@@ -46,8 +46,8 @@ Vector3 area_vector(const Corners& p, const std::array<std::size_t, 3>& t) {
   return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
 }
 
-// Cuts a flat polygon around `up`; checks that all triangles face upwards with more than `least` m² each, use
-// every corner, and have the polygon's area together.
+// Cuts a flat polygon with the normal `up`. Checks that all triangles face upwards, are larger than `least`
+// m², use every corner, and together have the area of the polygon.
 void check_cut(const Corners& corners, double area, const Vector3& up = Vector3::UnitZ(), double least = 0) {
   const Numbers triangles = cut(corners);
   REQUIRE(triangles.size() == corners.size() - 2);
@@ -62,7 +62,7 @@ void check_cut(const Corners& corners, double area, const Vector3& up = Vector3:
   CHECK(std::ranges::count(used, 0) == 0);
 }
 
-// Of a simple polygon in the plane z = 0.
+// The area of a simple polygon in the plane z = 0.
 double shoelace(const Corners& p) {
   double sum = 0;
   for (std::size_t c = 0; c < p.size(); ++c) {
@@ -72,7 +72,7 @@ double shoelace(const Corners& p) {
   return std::abs(sum) / 2;
 }
 
-// From every first corner, in both directions.
+// Checks the polygon with every corner as its first, in both directions.
 void check_all_turns(Corners corners, double area, double least = 0) {
   for (std::size_t turn = 0; turn < corners.size(); ++turn) {
     INFO("first corner " << turn);
@@ -85,7 +85,7 @@ void check_all_turns(Corners corners, double area, double least = 0) {
 
 }  // namespace
 
-TEST_CASE("concave polygons keep their area from every first corner", "[mesh][polygons]") {
+TEST_CASE("concave polygons keep their area for every first corner", "[mesh][polygons]") {
   check_all_turns(dart, 1.5);
   check_all_turns(ell, 3);
   check_all_turns(flat({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}), 7);  // a U
@@ -102,8 +102,9 @@ TEST_CASE("a convex polygon is a fan around its first corner", "[mesh][polygons]
   for (int c = 0; c < 300; ++c) corners.emplace_back(std::cos(c * 0.02), std::sin(c * 0.02), 0);
   CHECK(cut(corners) == fan(300));
   CHECK(cut(flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}})) == fan(4));
-  CHECK(cut({dart[3], dart[0], dart[1], dart[2]}) == fan(4));  // concave, but seen whole from there
-  // There is no limit for fans, although these triangles are thin.
+  // Concave, but all of it is visible from its first corner.
+  CHECK(cut({dart[3], dart[0], dart[1], dart[2]}) == fan(4));
+  // The number of corners has no limit if the polygon is a fan, although these triangles are thin.
   corners.clear();
   for (int c = 0; c < 20000; ++c) corners.emplace_back(std::cos(c * 3e-4), std::sin(c * 3e-4), 0);
   CHECK_NOTHROW(cut(corners));
@@ -147,12 +148,12 @@ TEST_CASE("a spiral of two turns keeps its area", "[mesh][polygons]") {
   check_all_turns(spiral, shoelace(spiral));
 }
 
-TEST_CASE("a face with a hole, which a bridge joins to its rim, keeps its area", "[mesh][polygons]") {
+TEST_CASE("a face with a hole that a bridge joins to the rim keeps its area", "[mesh][polygons]") {
   check_all_turns(flat({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {0, 0}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {1, 1}}), 8);
 }
 
-TEST_CASE("a polygon that is not flat is cut as it looks along its normal", "[mesh][polygons]") {
-  // A dart with two tips bent up. Seen from above it is as flat.
+TEST_CASE("a polygon that is not flat is cut like its projection along the normal", "[mesh][polygons]") {
+  // A dart with two tips bent up. Its projection is the flat dart.
   Corners bent = dart;
   bent[0].z() = bent[2].z() = 0.5;
   for (int turn = 0; turn < 4; ++turn) {
@@ -167,10 +168,10 @@ TEST_CASE("a polygon that is not flat is cut as it looks along its normal", "[me
   CHECK(cut({{0, 0, 0}, {1, 0, 0.2}, {1, 1, 0}, {0, 1, 0.2}}) == fan(4));  // a saddle
 }
 
-TEST_CASE("what has no area stays a fan, whose triangles are then found bad", "[mesh][polygons]") {
+TEST_CASE("a polygon without area stays a fan, whose bad triangles are found later", "[mesh][polygons]") {
   CHECK(cut(flat({{0, 0}, {1, 0}, {2, 0}, {3, 0}})) == fan(4));
   CHECK(cut(flat({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}})) == fan(5));
-  // A corner twice: one triangle has no area, the others have all of it.
+  // A repeated corner: one triangle has no area, and the other triangles have the whole area.
   const Numbers triangles = cut(flat({{0, 0}, {2, 1}, {2, 1}, {0, 2}, {0.5, 1}}));
   double area = 0;
   for (const auto& t : triangles)
@@ -182,7 +183,7 @@ TEST_CASE("a polygon that cannot be cut is refused", "[mesh][polygons]") {
   const auto refused = [](const Corners& corners, const std::string& part) {
     CHECK_THROWS_WITH(cut(corners), ContainsSubstring(part));
   };
-  refused(flat({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), "crosses itself");  // equal halves: no normal
+  refused(flat({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), "crosses itself");  // two equal halves, so no normal
   refused(flat({{0, 0}, {3, 3}, {3, 0}, {0, 1}}), "crosses itself");
   Corners pentagram;
   for (int c = 0; c < 5; ++c)

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of its own, gone at the end of the test.
+// A temporary folder. The destructor removes it.
 class Folder {
  public:
   Folder() : path_(fs::temp_directory_path() / ("bendlab_files_" + std::to_string(std::random_device()()))) {
@@ -82,7 +82,7 @@ const std::string ply_vertices =
 
 }  // namespace
 
-TEST_CASE("OBJ with comments, normals, a quad and negative indices", "[mesh][files]") {
+TEST_CASE("OBJ may have comments, normals, a quad and negative indices", "[mesh][files]") {
   const Folder folder;
   const TriangleMesh mesh =
       read_mesh(folder.write("a.obj", "# square\nmtllib none.mtl\no sheet\n" + obj_vertices +
@@ -100,7 +100,7 @@ TEST_CASE("OBJ texture coordinates belong to corners", "[mesh][files]") {
   TextureCoordinates expected(6, 2);
   expected << 0.125, 1, 0.5, 0, 0.5, 0.25, 0, 0, 0.5, 0.25, 0.5, 0;
   CHECK(mesh.texture_coordinates == expected);
-  // A quad's fan repeats its corners.
+  // The fan of a quad repeats its corners.
   const TriangleMesh quad = read_mesh(folder.write("b.obj", obj_vertices + texture + "f 1/1 2/2 3/3 4/4\n"));
   expected << 0, 0, 0.5, 0, 0.5, 0.25, 0, 0, 0.5, 0.25, 0.125, 1;
   CHECK(quad.texture_coordinates == expected);
@@ -114,7 +114,7 @@ TEST_CASE("OBJ texture coordinates belong to corners", "[mesh][files]") {
   check_refused(folder.write("e.obj", obj_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"), "line 5");
 }
 
-TEST_CASE("OBJ keeps the digits of double", "[mesh][files]") {
+TEST_CASE("OBJ keeps all digits of double", "[mesh][files]") {
   const Folder folder;
   const PolygonSoup soup =
       read_polygon_soup(folder.write("a.obj", "v 0.1 1e-17 123456789.123456789\nv +2 1e999 -1e-999\n"));
@@ -122,7 +122,7 @@ TEST_CASE("OBJ keeps the digits of double", "[mesh][files]") {
   CHECK(soup.points[1] == std::array{2.0, std::numeric_limits<double>::infinity(), 0.0});
 }
 
-TEST_CASE("OFF in its spellings", "[mesh][files]") {
+TEST_CASE("OFF is read in all its spellings", "[mesh][files]") {
   const Folder folder;
   const std::string faces = "3 0 1 2\n3 0 2 3 255 0 0\n";
   for (const std::string& text :
@@ -135,7 +135,7 @@ TEST_CASE("OFF in its spellings", "[mesh][files]") {
   }
 }
 
-TEST_CASE("PLY as text, with other properties and elements between", "[mesh][files]") {
+TEST_CASE("PLY as text may have other properties and elements in between", "[mesh][files]") {
   const Folder folder;
   const TriangleMesh mesh = read_mesh(
       folder.write("a.ply",
@@ -148,7 +148,7 @@ TEST_CASE("PLY as text, with other properties and elements between", "[mesh][fil
   CHECK(mesh.triangles == two_triangles);
 }
 
-TEST_CASE("PLY names its types in two ways", "[mesh][files]") {
+TEST_CASE("PLY types may have either of their two names", "[mesh][files]") {
   const Folder folder;
   for (const std::string type : {"char", "int8", "uchar", "uint8", "short", "int16", "ushort", "uint16",
                                  "int", "int32", "uint", "uint32", "float", "float32", "double", "float64"}) {
@@ -163,7 +163,7 @@ TEST_CASE("PLY names its types in two ways", "[mesh][files]") {
   }
 }
 
-TEST_CASE("PLY in both byte orders", "[mesh][files]") {
+TEST_CASE("PLY is read in both byte orders", "[mesh][files]") {
   const Folder folder;
   for (const bool big_endian : {false, true}) {
     std::string bytes = std::string("ply\nformat ") +
@@ -182,7 +182,7 @@ TEST_CASE("PLY in both byte orders", "[mesh][files]") {
   }
 }
 
-TEST_CASE("STL merges exactly equal points", "[mesh][files]") {
+TEST_CASE("reading STL merges exactly equal points", "[mesh][files]") {
   const Folder folder;
   std::string text = "solid a sheet\n", bytes = "solid in a binary header as well";
   bytes.resize(80, ' ');
@@ -208,15 +208,15 @@ TEST_CASE("STL merges exactly equal points", "[mesh][files]") {
     CHECK(mesh.positions == unit_square);
     CHECK(mesh.triangles == two_triangles);
   }
-  for (const char first : {'s', 'x'}) {  // a header that begins with "solid" makes no text of it
+  for (const char first : {'s', 'x'}) {  // a binary header may begin with "solid", too
     bytes[0] = first;
     check_refused(folder.write("cut.stl", bytes.substr(0, bytes.size() - 1)),
-                  "2 triangles would take 184 bytes, it has 183");
+                  "2 triangles would take 184 bytes, but it has 183");
     const TriangleMesh mesh = read_mesh(folder.write("more.stl", bytes + std::string(33, 'm')));
     CHECK(mesh.positions == unit_square);
     CHECK(mesh.triangles == two_triangles);
     check_refused(folder.write("more.stl", bytes + std::string(100, '\0')),
-                  "says 2 triangles where there is room for 4");
+                  "says 2 triangles, but the file has room for 4");
   }
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("concave polygons of OFF and PLY keep their area", "[mesh][files]") {
         CHECK((b - a).cross(c - a).z() > 0);
         area += 0.5 * (b - a).cross(c - a).z();
       }
-      CHECK(area == 1.5);  // of halves and quarters: exact
+      CHECK(area == 1.5);  // sums of halves and quarters are exact
     }
   }
   const std::string crossed = "0 0 0\n1 1 0\n1 0 0\n0 1 0\n";
@@ -258,7 +258,7 @@ TEST_CASE("concave polygons of OFF and PLY keep their area", "[mesh][files]") {
                 "face 0: the face crosses");
 }
 
-TEST_CASE("OFF and PLY with a byte order mark and any ends of lines", "[mesh][files]") {
+TEST_CASE("OFF and PLY may have a byte order mark and any line ends", "[mesh][files]") {
   const Folder folder;
   const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", faces = "3 0 1 2\n3 0 2 3\n",
                     off = "OFF\n4 2 0\n" + points + faces,
@@ -272,7 +272,8 @@ TEST_CASE("OFF and PLY with a byte order mark and any ends of lines", "[mesh][fi
         CHECK(mesh.positions == unit_square);
         CHECK(mesh.triangles == two_triangles);
       }
-  // A binary element that begins with the byte of \n, behind a header whose lines end with \r alone.
+  // The lines of the header end with \r alone, and the binary element that follows begins with the byte of
+  // \n.
   std::string bytes =
       "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty uchar shade\rproperty float "
       "x\rproperty float y\rproperty float z\relement face 1\rproperty list uchar int "
@@ -296,7 +297,7 @@ TEST_CASE("a refusal names a remedy that works where no config has a policy", "[
   CHECK(read_mesh(folder.path("new.obj")).triangles == two_triangles);
 }
 
-TEST_CASE("what is written reads back to the same bits", "[mesh][files]") {
+TEST_CASE("a written mesh reads back to the same bits", "[mesh][files]") {
   const Folder folder;
   TriangleMesh mesh = delaunay(1, 0.7, 9, 4);
   mesh.positions.col(2) = mesh.positions.col(0).array().sin() / 3;
@@ -314,7 +315,8 @@ TEST_CASE("what is written reads back to the same bits", "[mesh][files]") {
   CHECK_THROWS_AS(write_mesh(folder.path("missing/a.off"), mesh), MeshFileError);
 }
 
-TEST_CASE("a mesh that can't be simulated is refused with its offenders", "[mesh][files]") {
+TEST_CASE("a mesh that cannot be simulated is refused, and the message names the offenders",
+          "[mesh][files]") {
   const Folder folder;
   const std::string off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n",
                     ply = "ply\nformat ascii 1.0\n" + ply_vertices;
@@ -340,14 +342,14 @@ TEST_CASE("a file that does not follow its format is refused with the line", "[m
                     ply = "ply\nformat ascii 1.0\n" + ply_vertices;
   check_refused(folder.write("a.off", "hello\n"), "line 1: starts with 'hello'");
   check_refused(folder.write("a.off", ""), "ends before its keyword");
-  check_refused(folder.write("a.off", "OFF\n-4 1 0\n"), "line 2: -4 is no count");
+  check_refused(folder.write("a.off", "OFF\n-4 1 0\n"), "line 2: a count is -4");
   check_refused(folder.write("a.off", "OFF\n99999999999 1 0\n0 0 0\n"), "ends before vertex 1 of");
   check_refused(folder.write("a.off", off + "3 0 1\n"), "line 7: a face of 3 corners has fewer indices");
   check_refused(folder.write("a.off", off + "3 0 1 1.5\n"), "line 7: '1.5' is not a whole number");
   check_refused(folder.write("a.off", off + "2 0 1\n"), "fewer than 3 corners: it has 2");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 zero 0\n"), "line 3: 'zero' is not a number");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 \x1b[2J\xff 0\n"),
-                "'?[2J?' is not a number");  // no escapes
+                "'?[2J?' is not a number");  // escape sequences are masked
   check_refused(folder.write("a.obj", "v 0 0\n"), "line 1: 3 words are too few");
   check_refused(folder.write("a.obj", obj_vertices + "f 1 2\n"), "fewer than 3 corners");
   check_refused(folder.write("a.obj", obj_vertices + "f 0 1 2\n"), "mesh file");
@@ -359,7 +361,7 @@ TEST_CASE("a file that does not follow its format is refused with the line", "[m
   check_refused(folder.write("a.txt", "v 0 0 0\n"), "allowed are .obj, .ply, .off, .stl");
 }
 
-TEST_CASE("a file that can't be read is told from a bad mesh", "[mesh][files]") {
+TEST_CASE("an unreadable file has another kind of error than a bad mesh", "[mesh][files]") {
   const Folder folder;
   fs::create_directory(folder.path("folder.obj"));
   for (const std::string name : {"missing.obj", "folder.obj"})
@@ -376,7 +378,7 @@ TEST_CASE("isolated vertices of a file are left out, with a note", "[mesh][files
   CHECK(notes[0].find("1 vertex in no triangle: vertex 0") != std::string::npos);
 }
 
-TEST_CASE("files with changed bytes are read or refused, never more", "[mesh][files]") {
+TEST_CASE("files with changed bytes are either read or refused", "[mesh][files]") {
   const Folder folder;
   const TriangleMesh mesh = disc(1, 2);
   std::mt19937_64 random(1);

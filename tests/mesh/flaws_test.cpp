@@ -25,9 +25,9 @@ TriangleMesh sheet() {
 
 // The kinds of problems that the diagnosis finds, with their counts.
 std::map<MeshProblemKind, std::size_t> problems_of(const TriangleMesh& mesh) {
-  std::map<MeshProblemKind, std::size_t> found;
-  for (const MeshProblem& problem : diagnose(mesh)) found[problem.kind] = problem.count;
-  return found;
+  std::map<MeshProblemKind, std::size_t> counts;
+  for (const MeshProblem& problem : diagnose(mesh)) counts[problem.kind] = problem.count;
+  return counts;
 }
 
 double area_of(const TriangleMesh& mesh) {
@@ -37,7 +37,7 @@ double area_of(const TriangleMesh& mesh) {
   return sum;
 }
 
-// Signed: triangles that a flaw has turned over would take away.
+// A signed area: triangles turned over count as negative.
 double area_facing_up(const TriangleMesh& mesh) {
   double sum = 0;
   for (const auto& t : mesh.triangles.rowwise()) {
@@ -49,22 +49,22 @@ double area_facing_up(const TriangleMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("flaws: each is what its name says, and nothing else", "[mesh]") {
+TEST_CASE("flaws: each has exactly the problem that its name states", "[mesh]") {
   using enum MeshProblemKind;
   CHECK(problems_of(with_flaw(sheet(), "none")).empty());
   const auto only = [](const char* flaw, MeshProblemKind kind) {
-    const auto found = problems_of(with_flaw(sheet(), flaw));
+    const auto counts = problems_of(with_flaw(sheet(), flaw));
     INFO(flaw);
-    CHECK(found.size() == 1);
-    return found.count(kind) == 1 ? found.at(kind) : 0;
+    CHECK(counts.size() == 1);
+    return counts.count(kind) == 1 ? counts.at(kind) : 0;
   };
-  // Scattered stars on 16² cells: two apart, so at most one in 9 of the 15² interior vertices, and at least
-  // one in 49.
+  // Scattered stars on 16² cells are at least two edges apart. So they are at most 1/9 and at least 1/49 of
+  // the 15² interior vertices.
   const std::size_t fewest = 225 / 49, most = 225 / 9;
   const auto in_range = [&](std::size_t count) { return count >= fewest && count <= most; };
   CHECK(in_range(only("degenerate", zero_area)));
   const std::size_t at_short_edges = only("duplicate_vertices", zero_area);
-  CHECK(at_short_edges % 2 == 0);  // both triangles of the edge
+  CHECK(at_short_edges % 2 == 0);  // both triangles at each edge
   CHECK(in_range(at_short_edges / 2));
   CHECK(only("duplicate_faces", duplicate_triangle) == (512 + 10) / 20);
   CHECK(only("non_manifold_edge", non_manifold_edge) ==
@@ -78,20 +78,20 @@ TEST_CASE("flaws: each is what its name says, and nothing else", "[mesh]") {
   }
 }
 
-TEST_CASE("flaws: needles and caps are as thin as promised and cover the sheet once", "[mesh]") {
+TEST_CASE("flaws: needles and caps have the documented shape and cover the sheet once", "[mesh]") {
   const TriangleMesh needles = with_flaw(sheet(), "needles"), caps = with_flaw(sheet(), "caps");
   CHECK_THAT(area_facing_up(needles), WithinRel(1.0, 1e-12));
   CHECK_THAT(area_facing_up(caps), WithinRel(1.0, 1e-12));
   CHECK_THAT(area_of(caps), WithinRel(1.0, 1e-12));
   const MeshQuality thin = measure_quality(needles.positions, needles.triangles),
                     flat = measure_quality(caps.positions, caps.triangles);
-  // The short edge is 10⁻³ of one; the others are 1 to √2 edges long.
+  // The short edge of a needle is 10⁻³ edges long, the long edges are 1 to √2 edges.
   CHECK(thin.measures[0].maximum >= 999);
   CHECK(thin.measures[0].maximum <= 1.5e3);
   CHECK_THAT(flat.measures[5].maximum, WithinAbs(179.9, 1e-6));
 }
 
-TEST_CASE("flaws: a cut leaves two halves, a hole a ring", "[mesh]") {
+TEST_CASE("flaws: a cut gives two halves, and a hole gives a ring", "[mesh]") {
   const auto euler = [](const RestMesh& rest) {
     return rest.vertex_count() - static_cast<int>(rest.edges().rows()) + rest.triangle_count();
   };
@@ -101,13 +101,13 @@ TEST_CASE("flaws: a cut leaves two halves, a hole a ring", "[mesh]") {
   CHECK(euler(ring) == 0);
   CHECK(cut.vertex_count() == 17 * 17 + 17);
   CHECK_THAT(area_of(cut.mesh()), WithinRel(1.0, 1e-12));
-  // A disc of radius 0.15 √2, to within a ring of triangles: an edge of 1/16 on either side.
+  // The hole is a disc of radius 0.15 √2, up to a ring of triangles: an edge of 1/16 inwards or outwards.
   const double hole = 1 - area_of(ring.mesh());
   CHECK(hole > std::numbers::pi * std::pow(0.15 * std::numbers::sqrt2 - 1.0 / 16, 2));
   CHECK(hole < std::numbers::pi * std::pow(0.15 * std::numbers::sqrt2 + 1.0 / 16, 2));
 }
 
-TEST_CASE("flaws: an unknown name and textures are refused", "[mesh]") {
+TEST_CASE("flaws: an unknown name and a mesh with texture are refused", "[mesh]") {
   CHECK_THROWS_AS(with_flaw(sheet(), "scratches"), std::invalid_argument);
   TriangleMesh textured = sheet();
   textured.texture_coordinates.setZero(3 * textured.triangle_count(), 2);
@@ -115,15 +115,16 @@ TEST_CASE("flaws: an unknown name and textures are refused", "[mesh]") {
   CHECK_THROWS_AS(shuffled(textured, 1), std::invalid_argument);
 }
 
-TEST_CASE("shuffled: another numbering of the same triangles", "[mesh]") {
+TEST_CASE("shuffled: the same triangles have other vertex numbers", "[mesh]") {
   const TriangleMesh before = delaunay(1, 1, 8, 1), after = shuffled(before, 7);
   const auto corners = [](const TriangleMesh& mesh) {
     std::multiset<std::array<double, 9>> all;
     for (const auto& t : mesh.triangles.rowwise()) {
-      std::array<double, 9> of_one{};
+      std::array<double, 9> coordinates{};
       for (std::size_t i = 0; i < 9; ++i)
-        of_one[i] = mesh.positions(t(static_cast<Eigen::Index>(i / 3)), static_cast<Eigen::Index>(i % 3));
-      all.insert(of_one);
+        coordinates[i] =
+            mesh.positions(t(static_cast<Eigen::Index>(i / 3)), static_cast<Eigen::Index>(i % 3));
+      all.insert(coordinates);
     }
     return all;
   };
@@ -133,7 +134,7 @@ TEST_CASE("shuffled: another numbering of the same triangles", "[mesh]") {
   CHECK(shuffled(before, 8).triangles != after.triangles);
 }
 
-TEST_CASE("sphere: closed, alike along all axes, normals outward", "[mesh]") {
+TEST_CASE("sphere: closed, the same along all axes, with normals outwards", "[mesh]") {
   const int cells = 7;
   const double radius = 2;
   const RestMesh ball(sphere(radius, cells));
@@ -141,7 +142,7 @@ TEST_CASE("sphere: closed, alike along all axes, normals outward", "[mesh]") {
   CHECK(ball.vertex_count() == 4 * cells * cells + 2);
   CHECK(ball.triangle_count() == 8 * cells * cells);
   CHECK(static_cast<Eigen::Index>(ball.hinges().size()) == ball.edges().rows());  // no boundary
-  double volume = 0;  // of the tetrahedra with the centre: positive where the normal points outward
+  double volume = 0;  // of tetrahedra with the centre; positive if the normal points outwards
   for (int t = 0; t < ball.triangle_count(); ++t) {
     const auto corner = ball.triangles().row(t);
     const double of_one =
@@ -151,7 +152,7 @@ TEST_CASE("sphere: closed, alike along all axes, normals outward", "[mesh]") {
   }
   const double round = 4 * std::numbers::pi / 3 * radius * radius * radius;
   CHECK(volume < round);
-  CHECK(volume > 0.9 * round);  // an inscribed polyhedron with edges e loses about e²/(2 r²) = 5 %
+  CHECK(volume > 0.9 * round);  // an inscribed polyhedron with edges e is about e²/(2 r²) = 5 % smaller
   CHECK_THAT(ball.positions().rowwise().norm().minCoeff(), WithinRel(radius, 1e-14));
   CHECK_THROWS_AS(sphere(1, 0), std::invalid_argument);
 }

@@ -31,15 +31,13 @@ double signed_area(const TriangleMesh& mesh, Eigen::Index t) {
   return 0.5 * (u.x() * v.y() - u.y() * v.x());
 }
 
-// What every generated mesh has to be: flat, centred, counter-clockwise, one disc, nothing wrong. Returns its
-// area.
+// Checks that a generated mesh is a flat, centred, counter-clockwise disc without problems. Returns its area.
 double check_sheet(const TriangleMesh& mesh) {
   CHECK(diagnose(mesh).empty());
   CHECK(mesh.positions.col(2).isZero(0));
   const RestMesh rest(mesh);
   CHECK(rest.vertex_count() - rest.edges().rows() + rest.triangle_count() == 1);  // Euler number of a disc
-  CHECK_THAT(rest.centre().norm(),
-             WithinAbs(0, 1e-15 * rest.size()));  // rounding of the two halves of the box
+  CHECK_THAT(rest.centre().norm(), WithinAbs(0, 1e-15 * rest.size()));            // rounding
   double area = 0;
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
     REQUIRE(signed_area(mesh, t) > 0);
@@ -54,7 +52,7 @@ std::array<int, 3> triangle(const TriangleMesh& mesh, Eigen::Index t) {
 
 }  // namespace
 
-TEST_CASE("a grid fills its rectangle, row by row", "[mesh][generators]") {
+TEST_CASE("a grid fills its rectangle with rows of vertices", "[mesh][generators]") {
   for (const Diagonal diagonal : {Diagonal::same, Diagonal::alternating, Diagonal::both}) {
     const TriangleMesh mesh = grid(3, 2, 6, 5, diagonal);
     CHECK_THAT(check_sheet(mesh), WithinRel(6.0, 1e-13));  // at most 120 additions
@@ -66,7 +64,7 @@ TEST_CASE("a grid fills its rectangle, row by row", "[mesh][generators]") {
   }
 }
 
-TEST_CASE("the diagonals of a grid", "[mesh][generators]") {
+TEST_CASE("the diagonals of a grid run as stated", "[mesh][generators]") {
   // 6 7 8
   // 3 4 5
   // 0 1 2
@@ -80,7 +78,7 @@ TEST_CASE("the diagonals of a grid", "[mesh][generators]") {
   CHECK((alternating.triangles.array() == 4).count() == 8);  // all four diagonals meet in the middle
   for (const int corner : {0, 2, 6, 8}) CHECK((alternating.triangles.array() == corner).count() == 2);
 
-  // 5 6 7 with the centres 3, 4 between the rows, and 0 1 2
+  // Upper row 5 6 7, lower row 0 1 2, with the centres 3 and 4 between them.
   const TriangleMesh both = grid(2, 1, 2, 1, Diagonal::both);
   CHECK(point(both, 3) == Vector2(-0.5, 0));
   CHECK(point(both, 4) == Vector2(0.5, 0));
@@ -101,11 +99,12 @@ TEST_CASE("every triangle of an equilateral lattice is equilateral", "[mesh][gen
     check_sheet(mesh);
     const RestMesh rest(mesh);
     const double edge = std::max(width, height) / cells, strip = edge * std::sqrt(3.0) / 2;
-    for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)  // coordinates of size 1 are rounded by 10⁻¹⁶
+    for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)  // coordinates of size 1 have a rounding of 10⁻¹⁶
       CHECK_THAT((point(mesh, rest.edges()(e, 0)) - point(mesh, rest.edges()(e, 1))).norm(),
                  WithinAbs(edge, 1e-15));
 
-    // Along the rows the nearest number of edges, across them the nearest number of strips.
+    // The size along the rows is rounded to a whole number of edges, across the rows to a whole number of
+    // strips.
     const Vector3 size = rest.box_max() - rest.box_min();
     const bool along_x = (width >= height) == (rows == Rows::parallel);
     CHECK(std::abs(size.x() - width) <= (along_x ? edge : strip) / 2 + 1e-15);
@@ -114,15 +113,15 @@ TEST_CASE("every triangle of an equilateral lattice is equilateral", "[mesh][gen
   }
 }
 
-TEST_CASE("an equilateral lattice, counted by hand", "[mesh][generators]") {
-  // Two strips (0.9 / (√3/6) = 3.1, so three) of 2 · 3 - 1 triangles between rows of 4 and 3 vertices.
+TEST_CASE("the counts of an equilateral lattice agree with counts by hand", "[mesh][generators]") {
+  // 0.9 / (√3/6) = 3.1, so three strips of 2 · 3 - 1 triangles between rows of 4 and 3 vertices.
   const TriangleMesh mesh = equilateral(1, 0.9, 3);
   CHECK(mesh.vertex_count() == 4 + 3 + 4 + 3);
   CHECK(mesh.triangle_count() == 15);
   CHECK(triangle(mesh, 0) == std::array{0, 1, 4});
 }
 
-TEST_CASE("a Delaunay mesh fills its rectangle with points at their distances", "[mesh][generators]") {
+TEST_CASE("a Delaunay mesh fills its rectangle with points at the stated distances", "[mesh][generators]") {
   struct Case {
     double width, height;
     int cells;
@@ -130,10 +129,11 @@ TEST_CASE("a Delaunay mesh fills its rectangle with points at their distances", 
   for (const auto& [width, height, cells] :
        {Case{1, 1, 24}, Case{3, 1, 30}, Case{1, 0.01, 8}, Case{1, 1, 1}, Case{0.23335, 0.125, 24}}) {
     const TriangleMesh mesh = delaunay(width, height, cells, 7);
-    // One ulp beside a side would be enough for a triangle of three points on it. 1e-3: none is that thin.
+    // If a point on a side were off by one ulp, three points on the side could form a triangle. No proper
+    // triangle is thinner than 1e-3.
     for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
       REQUIRE(signed_area(mesh, t) > 1e-3 * width * height / static_cast<double>(mesh.triangle_count()));
-    CHECK_THAT(check_sheet(mesh), WithinRel(width * height, 1e-12));  // some thousand additions
+    CHECK_THAT(check_sheet(mesh), WithinRel(width * height, 1e-12));  // a few thousand additions
     const double spacing = width / cells;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       const Vector2 p = point(mesh, v);
@@ -142,7 +142,7 @@ TEST_CASE("a Delaunay mesh fills its rectangle with points at their distances", 
         if (other != v) REQUIRE((p - point(mesh, other)).norm() >= 0.79 * spacing);
     }
   }
-  // About one point per spacing², within 10 %.
+  // About one point per squared spacing, within 10 %.
   CHECK(std::abs(static_cast<double>(delaunay(1, 1, 64, 1).vertex_count()) / (65 * 65) - 1) < 0.1);
 }
 
@@ -155,18 +155,17 @@ TEST_CASE("no point of a Delaunay mesh lies in a triangle's circumcircle", "[mes
         const Vector2 d = point(mesh, mesh.triangles(t, c)) - point(mesh, v);
         rows.row(c) << d.x(), d.y(), d.squaredNorm();
       }
-      REQUIRE(rows.determinant() <=
-              1e-14);  // lengths of size 1; the triangle's own corners give 0 and rounding
+      REQUIRE(rows.determinant() <= 1e-14);  // lengths of size 1; rounding at the triangle's own corners
     }
 }
 
-TEST_CASE("equal seeds give equal Delaunay meshes, and only those", "[mesh][generators]") {
+TEST_CASE("equal seeds give equal Delaunay meshes, and other seeds give other meshes", "[mesh][generators]") {
   const TriangleMesh first = delaunay(1, 1, 16, 1), again = delaunay(1, 1, 16, 1),
                      other = delaunay(1, 1, 16, 2);
   CHECK(first.positions == again.positions);
   CHECK(first.triangles == again.triangles);
   CHECK((first.positions.rows() != other.positions.rows() || first.positions != other.positions));
-  // Neighbours in space are neighbours in number: nearly all edges span at most two rows of ~ 17 vertices.
+  // Neighbouring vertices have close numbers: nearly all edges span at most two rows of about 17 vertices.
   const RestMesh rest(first);
   const Eigen::VectorXi span = rest.edges().col(1) - rest.edges().col(0);
   CHECK(span.maxCoeff() < 4 * 17);
@@ -209,7 +208,7 @@ double tube_area(const Frustum& f, int cells) {
   return area_of(RestMesh(tube(f.radius, f.radius_top, f.height, cells)));
 }
 
-// Edges of one triangle only, as one neighbour list per vertex.
+// Edges in only one triangle, as a list of neighbours per vertex.
 std::vector<std::vector<int>> boundary_of(const RestMesh& rest) {
   std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(rest.vertex_count()));
   Eigen::SparseMatrix<int> uses(rest.vertex_count(), rest.vertex_count());
@@ -229,7 +228,7 @@ std::vector<std::vector<int>> boundary_of(const RestMesh& rest) {
 
 }  // namespace
 
-TEST_CASE("a tube is closed around and open at two rims", "[mesh][generators]") {
+TEST_CASE("a tube is closed around its axis and open at two rims", "[mesh][generators]") {
   for (const Frustum& f : frustums)
     for (const int cells : {3, 8, 25}) {
       INFO(f.radius << ' ' << f.radius_top << ' ' << f.height << ", " << cells << " cells");
@@ -247,7 +246,7 @@ TEST_CASE("a tube is closed around and open at two rims", "[mesh][generators]") 
           CHECK(neighbours.empty());
           continue;
         }
-        // Around the first and the last row, each one loop through `cells` vertices.
+        // The first and the last row are loops through `cells` vertices.
         const int first = v < cells ? 0 : last, at = v - first;
         std::vector<int> expected = {first + (at + 1) % cells, first + (at + cells - 1) % cells};
         std::sort(expected.begin(), expected.end());
@@ -262,7 +261,7 @@ TEST_CASE("the vertices of a tube lie on circles of its cone, evenly spaced", "[
     const TriangleMesh mesh = tube(f.radius, f.radius_top, f.height, cells);
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       const double r = point(mesh, v).norm(), up = mesh.positions(v, 2) / f.height + 0.5;
-      // On the cone's straight side, to the rounding of the logarithm that spaces the rows.
+      // On the straight side of the cone, up to the rounding of the logarithm that spaces the rows.
       CHECK_THAT(r, WithinRel(f.radius + up * (f.radius_top - f.radius), 1e-9));
       const int next = v % cells == cells - 1 ? v + 1 - cells : v + 1;
       CHECK_THAT((mesh.positions.row(next) - mesh.positions.row(v)).norm(),
@@ -277,8 +276,9 @@ TEST_CASE("the vertices of a tube lie on circles of its cone, evenly spaced", "[
   }
 }
 
-TEST_CASE("a tube's area is that of its frustum to second order", "[mesh][generators]") {
-  // A cylinder's triangles: base 2 r sin(π/m), apex dz up and r (1 - cos(π/m)) outward.
+TEST_CASE("the area of a tube agrees with its frustum to second order", "[mesh][generators]") {
+  // A triangle of a cylinder has the base 2 r sin(π/m). Its apex is dz higher and r (1 - cos(π/m)) farther
+  // outwards.
   const int cells = 40;
   const RestMesh cylinder(tube(0.5, 0.5, 1.5, cells));
   const int rows = cylinder.vertex_count() / cells - 1;
@@ -287,12 +287,12 @@ TEST_CASE("a tube's area is that of its frustum to second order", "[mesh][genera
 
   for (const Frustum& f : frustums) {
     const double coarse = f.area() - tube_area(f, 40), fine = f.area() - tube_area(f, 160);
-    // 16 but for the rounding of some 30 rows to a whole number, which changes the triangles' height.
+    // 16, except that rounding about 30 rows to a whole number changes the height of triangles.
     CHECK(std::abs(coarse / fine - 16) < 1.6);
   }
 }
 
-TEST_CASE("a tube's triangles face outward and are nearly equilateral", "[mesh][generators]") {
+TEST_CASE("the triangles of a tube face outwards and are nearly equilateral", "[mesh][generators]") {
   for (const Frustum& f : frustums) {
     const TriangleMesh mesh = tube(f.radius, f.radius_top, f.height, 32);
     for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
@@ -305,14 +305,14 @@ TEST_CASE("a tube's triangles face outward and are nearly equilateral", "[mesh][
       REQUIRE(normal.dot(outward) > 0);
       CHECK_THAT(corner(1).z(), WithinAbs(corner(0).z(), 0));  // the first edge lies along the circle
     }
-    // Rows are rounded to a whole number of at least 6 (8 % of 60°), a cone's rows taper by at most a sixth.
+    // The number of rows is rounded and at least 6 (8 % of 60°). Rows of a cone taper by at most a sixth.
     const auto angles = measure_quality(mesh.positions, mesh.triangles).measures;
     CHECK(angles[4].minimum > 50);
     CHECK(angles[5].maximum < 70);
   }
 }
 
-TEST_CASE("generators refuse sizes and counts that make no mesh", "[mesh][generators]") {
+TEST_CASE("generators refuse sizes and counts that give no valid mesh", "[mesh][generators]") {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {0.0, -1.0, nan, infinity}) {

@@ -19,14 +19,14 @@ using Catch::Matchers::WithinRel;
 
 }  // namespace
 
-TEST_CASE("on a flat convex sheet the geodesic is the straight line", "[mesh]") {
+TEST_CASE("on a flat convex sheet geodesics are straight lines", "[mesh]") {
   for (const TriangleMesh& mesh :
        {grid(2, 1, 20, 10), grid(1, 1, 9, 9, Diagonal::both), delaunay(1, 1, 20, 3), disc(0.5, 8)}) {
     const RestMesh rest(mesh);
     for (const int source : {0, rest.vertex_count() / 2}) {
       const GeodesicDistances geodesic = geodesic_distances(rest, std::array{source});
       for (int v = 0; v < rest.vertex_count(); ++v) {
-        // Some twenty unfoldings, each a difference of squares: half the digits would be lost at worst.
+        // About twenty unfoldings, each a difference of squares. At worst half of the digits are lost.
         CHECK_THAT(geodesic.distance[static_cast<std::size_t>(v)],
                    WithinAbs((rest.position(v) - rest.position(source)).norm(), 1e-9));
         CHECK(geodesic.source[static_cast<std::size_t>(v)] == source);
@@ -35,8 +35,8 @@ TEST_CASE("on a flat convex sheet the geodesic is the straight line", "[mesh]") 
   }
 }
 
-TEST_CASE("from a row of sources the geodesic is the straight line to the nearest", "[mesh]") {
-  // Corners between two sources are as near to one as to the other; below a row of pins all are.
+TEST_CASE("with a row of sources the geodesic is the straight line to the nearest source", "[mesh]") {
+  // Vertices in the middle between two sources are equally near to both. Below a row of pins there are many.
   for (const TriangleMesh& mesh :
        {equilateral(1, 1, 16), grid(1, 1, 12, 12, Diagonal::both), delaunay(1, 1, 20, 3)}) {
     const RestMesh rest(mesh);
@@ -46,18 +46,18 @@ TEST_CASE("from a row of sources the geodesic is the straight line to the neares
     REQUIRE(sources.size() > 10);
     const GeodesicDistances geodesic = geodesic_distances(rest, sources);
     for (int v = 0; v < rest.vertex_count(); ++v) {
-      // The sides of a lattice zigzag: the way is longer there.
+      // The sides of a lattice zigzag, so ways are longer there.
       if (std::abs(rest.position(v).x()) > 0.35) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (const int source : sources)
         nearest = std::min(nearest, (rest.position(v) - rest.position(source)).norm());
-      // A vertex keeps eight sources; a straight path may need more of a vertex beside it.
+      // A vertex keeps only eight sources. A straight path may need further sources of a vertex beside it.
       CHECK_THAT(geodesic.distance[static_cast<std::size_t>(v)], WithinAbs(nearest, 1e-4));
     }
   }
 }
 
-TEST_CASE("far from a full row of sources geodesics are too long by two thousandths at most", "[mesh]") {
+TEST_CASE("far from a full row of sources, geodesics are too long by at most two thousandths", "[mesh]") {
   const RestMesh rest(delaunay(1, 1, 128, 3));
   std::vector<int> sources;
   for (int v = 0; v < rest.vertex_count(); ++v)
@@ -73,8 +73,8 @@ TEST_CASE("far from a full row of sources geodesics are too long by two thousand
   }
 }
 
-TEST_CASE("geodesics survive rolling the sheet up", "[mesh]") {
-  // Folded at the lines between cells the triangles stay as they are, and so do ways over them.
+TEST_CASE("geodesics do not change when the sheet is rolled up", "[mesh]") {
+  // Folds at the lines between cells do not change triangles, nor the lengths of ways across them.
   TriangleMesh mesh = grid(1, 1, 16, 16);
   const RestMesh flat(mesh);
   const double turn = 0.4, step = 1.0 / 16;
@@ -94,7 +94,8 @@ TEST_CASE("geodesics survive rolling the sheet up", "[mesh]") {
 }
 
 TEST_CASE("geodesics on a sphere approach great circles", "[mesh]") {
-  // A disc of radius π/2 wrapped over a half sphere: from the pole along meridians, to its rim π/2.
+  // A disc of radius π/2 is wrapped over a half sphere. Geodesics from the pole run along meridians, and are
+  // π/2 long at the rim.
   double last = 1;
   for (const int rings : {6, 12, 24}) {
     TriangleMesh mesh = disc(std::numbers::pi / 2, rings);
@@ -111,33 +112,35 @@ TEST_CASE("geodesics on a sphere approach great circles", "[mesh]") {
       worst = std::max(
           worst,
           std::abs(geodesic.distance[static_cast<std::size_t>(v)] / std::acos(rest.position(v).z()) - 1));
-    CHECK(worst < last / 1.9);  // first order: half where the edges are half as long
+    CHECK(worst < last / 1.9);  // of first order: half the error with edges half as long
     last = worst;
   }
   CHECK(last < 0.003);
 }
 
-TEST_CASE("geodesics go around holes, take the nearest source, and end where the mesh does", "[mesh]") {
-  // An L of three cells: from the tip of one arm to the tip of the other around the inner corner.
+TEST_CASE("geodesics go around corners, start at the nearest source, and stay within a connected part",
+          "[mesh]") {
+  // An L of three cells. The way from the tip of one arm to the tip of the other arm goes around the inner
+  // corner.
   TriangleMesh mesh;
   mesh.positions.resize(9, 3);
   mesh.positions << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0, 0, 2, 0, 1, 2, 0, 5, 5, 0;
   mesh.triangles.resize(6, 3);
   mesh.triangles << 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 3, 4, 7, 3, 7, 6;
   const RestMesh rest(mesh);
-  const GeodesicDistances one = geodesic_distances(rest, std::array{5});
-  CHECK_THAT(one.distance[7], WithinRel(2.0, 1e-12));    // (2,1) → (1,1) → (1,2)
-  CHECK(one.distance[6] >= 1 + std::sqrt(2.0) - 1e-12);  // (2,1) → (1,1) → (0,2): never too short,
-  CHECK(one.distance[6] <= 1.1 * (1 + std::sqrt(2.0)));  // and much nearer to it than along edges, 3
-  CHECK_THAT(one.distance[0], WithinRel(std::sqrt(5.0), 1e-12));  // straight
-  CHECK(one.distance[8] == std::numeric_limits<double>::infinity());
-  CHECK(one.source[8] == -1);
-  const GeodesicDistances two = geodesic_distances(rest, std::array{5, 6});
-  CHECK(two.source[7] == 6);
-  CHECK(two.source[2] == 5);
+  const GeodesicDistances from_tip = geodesic_distances(rest, std::array{5});
+  CHECK_THAT(from_tip.distance[7], WithinRel(2.0, 1e-12));    // (2,1) → (1,1) → (1,2)
+  CHECK(from_tip.distance[6] >= 1 + std::sqrt(2.0) - 1e-12);  // (2,1) → (1,1) → (0,2), never too short;
+  CHECK(from_tip.distance[6] <= 1.1 * (1 + std::sqrt(2.0)));  // the way along edges would be 3
+  CHECK_THAT(from_tip.distance[0], WithinRel(std::sqrt(5.0), 1e-12));  // straight
+  CHECK(from_tip.distance[8] == std::numeric_limits<double>::infinity());
+  CHECK(from_tip.source[8] == -1);
+  const GeodesicDistances from_tips = geodesic_distances(rest, std::array{5, 6});
+  CHECK(from_tips.source[7] == 6);
+  CHECK(from_tips.source[2] == 5);
 }
 
-TEST_CASE("geodesics end on a mesh with a triangle without height", "[mesh]") {
+TEST_CASE("the computation of geodesics ends on a mesh with a triangle without height", "[mesh]") {
   // Found by a fuzzer: the paths from 5 to 1, 2 and 3 went around 0, 5, 6 and got shorter without end.
   const RestMesh rest(
       {(Positions(7, 3) << 1, 0, 0, 0.5, 0.5, 0, 0, 0.5, 0, 0.5, 1, 0, 0.5, 0.5, 1, 1, 0.5, 0, 1, 1, 0)
@@ -148,7 +151,7 @@ TEST_CASE("geodesics end on a mesh with a triangle without height", "[mesh]") {
   for (const double distance : geodesic.distance) CHECK(distance == 0);
 }
 
-TEST_CASE("geodesics end soon among triangles without height", "[mesh]") {
+TEST_CASE("the computation of geodesics is quick on triangles without height", "[mesh]") {
   // Found by a fuzzer: paths around such triangles got shorter by a little, more than 10⁷ times.
   std::mt19937_64 random(1);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<std::uint64_t>(n)); };
@@ -162,7 +165,7 @@ TEST_CASE("geodesics end soon among triangles without height", "[mesh]") {
       triangles.row(t) << a, b, c;
     }
     const RestMesh rest({at, triangles, {}});
-    // Along edges it is never shorter.
+    // Ways along edges are never shorter.
     std::vector<double> along(vertices, std::numeric_limits<double>::infinity());
     along[0] = 0;
     for (int round = 0; round < vertices; ++round)
@@ -177,7 +180,8 @@ TEST_CASE("geodesics end soon among triangles without height", "[mesh]") {
   }
 }
 
-TEST_CASE("a disc holds what is nearer than its radius, disc after disc", "[mesh]") {
+TEST_CASE("a geodesic disc holds the vertices nearer than its radius, also when discs follow each other",
+          "[mesh]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 9, 9, Diagonal::both), delaunay(1, 1, 20, 3)}) {
     const RestMesh rest(mesh);
     GeodesicDiscs discs(rest);

@@ -16,7 +16,7 @@ bool contains(const std::string& text, std::string_view part) {
 
 }  // namespace
 
-TEST_CASE("the mesh report counts what is there", "[mesh][report]") {
+TEST_CASE("the mesh report has the right counts", "[mesh][report]") {
   const auto json = mesh_report_json(grid(2, 1, 4, 2), "sheet");  // cells of 0.5 × 0.5
   CHECK(json["name"] == "sheet");
   CHECK(json["vertices"] == 15);
@@ -44,7 +44,7 @@ TEST_CASE("the mesh report counts what is there", "[mesh][report]") {
   for (const QualityMeasure& measure : quality_measures()) CHECK(contains(text, measure.name));
 }
 
-TEST_CASE("the mesh report of two pieces, one of them closed", "[mesh][report]") {
+TEST_CASE("the mesh report has the counts of two pieces, one of them closed", "[mesh][report]") {
   TriangleMesh mesh;  // a tetrahedron and a triangle
   mesh.positions.resize(7, 3);
   mesh.positions << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 5, 0, 0, 6, 0, 0, 5, 1, 0;
@@ -53,10 +53,10 @@ TEST_CASE("the mesh report of two pieces, one of them closed", "[mesh][report]")
   const auto json = mesh_report_json(mesh, "two");
   CHECK(json["pieces"] == 2);
   CHECK(json["boundary_edges"] == 3);
-  CHECK(json["euler_number"] == 3);  // sphere 2, disc 1
+  CHECK(json["euler_number"] == 3);  // 2 for the tetrahedron, 1 for the triangle
 }
 
-TEST_CASE("an infinite measure stays readable JSON", "[mesh][report]") {
+TEST_CASE("the JSON of an infinite measure is valid", "[mesh][report]") {
   TriangleMesh mesh = grid(1, 1, 1, 1);
   mesh.positions.row(3) = mesh.positions.row(0);
   const auto json = mesh_report_json(mesh, "folded");

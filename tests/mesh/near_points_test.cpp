@@ -6,14 +6,14 @@
 
 using namespace bendlab;
 
-TEST_CASE("a long row of near points does not become one", "[mesh]") {
-  // Each is within the tolerance of the next, but not of the one after it.
+TEST_CASE("a long row of near points does not merge into one point", "[mesh]") {
+  // Each point is within the tolerance of the next point, but not of the one after that.
   std::vector<std::array<double, 3>> points;
   for (int i = 0; i < 6; ++i) points.push_back({7, -0.6e-3 * i, 0});
   CHECK(near_points(points, std::vector<char>(6, 1), 1e-3) == std::vector<std::size_t>{0, 0, 2, 2, 4, 4});
 }
 
-TEST_CASE("a point becomes the nearest of those within the tolerance", "[mesh]") {
+TEST_CASE("a point merges with the nearest of the points within the tolerance", "[mesh]") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<std::array<double, 3>> points = {{0, 0, 0},   {1e-3, 0, 0},   {0.6e-3, 0, 0},
                                                      {nan, 0, 0}, {0.4e-3, 0, 0}, {5, 5, 5},

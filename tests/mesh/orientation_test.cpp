@@ -1,4 +1,4 @@
-// Meshes whose triangles are turned over at random are turned back.
+// In meshes with randomly turned triangles, all triangles are turned to the same side again.
 #include "bendlab/mesh/orientation.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ PolygonSoup moebius(int around, int across, double width) {
 
 }  // namespace
 
-TEST_CASE("triangles turned over are those that are turned back", "[mesh][orientation]") {
+TEST_CASE("exactly the triangles that were turned over are turned back", "[mesh][orientation]") {
   std::mt19937_64 random(3);
   for (const TriangleMesh& mesh : {delaunay(1, 1, 12, 5), tube(0.3, 0.3, 1, 14), sphere(1, 3)}) {
     PolygonSoup soup = to_soup(mesh);
@@ -45,28 +45,30 @@ TEST_CASE("triangles turned over are those that are turned back", "[mesh][orient
     std::vector<char> turned(soup.triangles.size(), 0);
     for (std::size_t t = 0; t < turned.size(); ++t)
       if (random() % 3 == 0) turned[t] = 1, std::swap(soup.triangles[t][1], soup.triangles[t][2]);
-    const Orientation found = orientation_of(soup);
-    CHECK(found.turned == turned);
-    CHECK(found.seams == 0);
-    CHECK(std::ranges::all_of(found.edges, &SharedEdge::alike));
+    const Orientation orientation = orientation_of(soup);
+    CHECK(orientation.turned == turned);
+    CHECK(orientation.seams == 0);
+    CHECK(std::ranges::all_of(orientation.edges, &SharedEdge::alike));
   }
 }
 
-TEST_CASE("each piece is turned by itself, and of equal numbers the first triangle stays",
-          "[mesh][orientation]") {
+TEST_CASE(
+    "pieces are turned independently, and if both sides have equally many triangles the first one stays",
+    "[mesh][orientation]") {
   const PolygonSoup soup{
       .points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {5, 0, 0}, {6, 0, 0}, {5, 1, 0}},
       .triangles = {{0, 1, 2}, {0, 3, 2}, {4, 6, 5}}};
   CHECK(orientation_of(soup).turned == std::vector<char>{0, 1, 0});
 }
 
-TEST_CASE("seams of a Möbius band go across it", "[mesh][orientation]") {
+TEST_CASE("the seam of a Möbius band runs across the band", "[mesh][orientation]") {
   for (const int across : {1, 3, 6})
     for (const int around : {20, 60}) {
       INFO(across << " by " << around);
-      const Orientation found = orientation_of(moebius(around, across, 0.3));
-      CHECK(found.seams >= static_cast<std::size_t>(across));
-      // Along it there would be as many as cells around. Where the ways meet, the seam may go along a row.
-      CHECK(found.seams <= static_cast<std::size_t>(2 * across + 1));
+      const Orientation orientation = orientation_of(moebius(around, across, 0.3));
+      CHECK(orientation.seams >= static_cast<std::size_t>(across));
+      // A seam along the band would have as many edges as cells around. Where shortest paths in both
+      // directions meet, the seam may follow a row.
+      CHECK(orientation.seams <= static_cast<std::size_t>(2 * across + 1));
     }
 }

@@ -1,4 +1,4 @@
-// Gaps between vertices, triangles and edges, boxes that overlap, and where a surface meets itself.
+// Gaps between vertices, triangles and edges, overlapping boxes, and self-intersections of a surface.
 #include "bendlab/mesh/proximity.hpp"
 
 #include <random>
@@ -14,7 +14,7 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-constexpr double rounding = 1e-12;  // of coordinates of size 1, through a quotient or two
+constexpr double rounding = 1e-12;  // for coordinates of size 1, after one or two quotients
 
 double uniform(std::mt19937_64& random) {
   return 2 * static_cast<double>(random() >> 11) * 0x1p-53 - 1;
@@ -24,7 +24,7 @@ Vector3 anywhere(std::mt19937_64& random) {
   return {uniform(random), uniform(random), uniform(random)};
 }
 
-// The shortest of the gaps between points of a fine lattice on both elements.
+// The shortest gap between points of fine lattices on both elements.
 double sampled_distance(Pairing pairing, const Corners& x, int parts) {
   double least = 1e300;
   for (int i = 0; i <= parts; ++i)
@@ -40,15 +40,16 @@ double sampled_distance(Pairing pairing, const Corners& x, int parts) {
 
 }  // namespace
 
-TEST_CASE("gaps that are known", "[mesh][proximity]") {
+TEST_CASE("known gaps are right", "[mesh][proximity]") {
   using enum Pairing;
   const Vector3 o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
   const auto length = [](Pairing pairing, const Corners& corners) {
     return shortest_gap(pairing, corners).vector.norm();
   };
-  CHECK_THAT(length(vertex_triangle, {Vector3(0.2, 0.3, -2), o, x, y}), WithinAbs(2, rounding));  // above it
-  CHECK_THAT(length(vertex_triangle, {Vector3(0.5, -3, 4), o, x, y}), WithinAbs(5, rounding));    // an edge
-  CHECK_THAT(length(vertex_triangle, {Vector3(-2, -3, 6), o, x, y}), WithinAbs(7, rounding));     // a corner
+  // A vertex below the inside of the triangle, beside an edge, and beside a corner.
+  CHECK_THAT(length(vertex_triangle, {Vector3(0.2, 0.3, -2), o, x, y}), WithinAbs(2, rounding));
+  CHECK_THAT(length(vertex_triangle, {Vector3(0.5, -3, 4), o, x, y}), WithinAbs(5, rounding));
+  CHECK_THAT(length(vertex_triangle, {Vector3(-2, -3, 6), o, x, y}), WithinAbs(7, rounding));
   CHECK_THAT(length(vertex_triangle, {Vector3(1, 1, 0), o, o, o}), WithinAbs(std::sqrt(2), rounding));
   CHECK_THAT(length(edge_edge, {o, x, Vector3(0.5, -1, 3), Vector3(0.5, 1, 3)}), WithinAbs(3, rounding));
   CHECK_THAT(length(edge_edge, {o, x, Vector3(4, 4, 0), Vector3(9, 4, 0)}),
@@ -56,7 +57,7 @@ TEST_CASE("gaps that are known", "[mesh][proximity]") {
   CHECK_THAT(length(edge_edge, {o, o, Vector3(-1, 2, 0), Vector3(1, 2, 0)}), WithinAbs(2, rounding));
 }
 
-TEST_CASE("no point of one element is nearer to the other than their gap", "[mesh][proximity]") {
+TEST_CASE("no two points of the two elements are nearer than the gap", "[mesh][proximity]") {
   std::mt19937_64 random(3);
   constexpr int parts = 60;
   for (const Pairing pairing : {Pairing::vertex_triangle, Pairing::edge_edge})
@@ -68,7 +69,7 @@ TEST_CASE("no point of one element is nearer to the other than their gap", "[mes
       const double sampled = sampled_distance(pairing, x, parts);
       CHECK(gap.vector.norm() <= sampled + rounding);
       CHECK(gap.vector.norm() >=
-            sampled - 4.0 / parts);  // the lattice misses by half a step of each edge (2√3 at most)
+            sampled - 4.0 / parts);  // the lattice is off by at most half a step of each edge (2√3 long)
       Vector3 vector = Vector3::Zero();
       double first = 0, second = 0;
       for (std::size_t i = 0; i < 4; ++i) {
@@ -81,7 +82,8 @@ TEST_CASE("no point of one element is nearer to the other than their gap", "[mes
     }
 }
 
-TEST_CASE("what passes through is met, what passes by is not", "[mesh][proximity]") {
+TEST_CASE("a vertex or edge that passes through is detected, and one that passes by is not",
+          "[mesh][proximity]") {
   const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0), up(0, 0, 1);
   const auto met = [&](const Vector3& from, const Vector3& to) {
     return first_contact(Pairing::vertex_triangle, {from, a, b, c}, {to, a, b, c}, 1e-4);
@@ -89,16 +91,16 @@ TEST_CASE("what passes through is met, what passes by is not", "[mesh][proximity
   const Vector3 inside(0.3, 0.3, 0), outside(0.6, 0.6, 0);
   const auto hit = met(inside + up, inside - up);
   REQUIRE(hit.has_value());
-  CHECK(hit->vector.z() > 0);         // from the side it came from
-  CHECK(hit->vector.norm() <= 1e-4);  // as promised
+  CHECK(hit->vector.z() > 0);         // still on its own side
+  CHECK(hit->vector.norm() <= 1e-4);  // as documented
   CHECK_FALSE(met(inside + up, inside + 0.01 * up).has_value());
   CHECK_FALSE(met(outside + up, outside - up).has_value());
-  // With the triangle, however fast both go.
+  // No hit if both move together, even at high speed.
   const Vector3 far(1e3, -2e3, 5e2);
   CHECK_FALSE(first_contact(Pairing::vertex_triangle, {inside + up, a, b, c},
                             {inside + up + far, a + far, b + far, c + far}, 1e-4)
                   .has_value());
-  // Crossed edges, past each other and beside each other.
+  // Edges that cross each other, and edges that pass beside each other.
   const Vector3 along(0.5, -1, 1), across(0.5, 1, 1), beside(1, 0, 0);
   const auto crossed = [&](const Vector3& shift) {
     return first_contact(Pairing::edge_edge, {a, b, along + shift, across + shift},
@@ -109,7 +111,7 @@ TEST_CASE("what passes through is met, what passes by is not", "[mesh][proximity
   CHECK_FALSE(crossed(beside));
 }
 
-TEST_CASE("the tree finds each overlapping pair of boxes once and no other", "[mesh][proximity]") {
+TEST_CASE("the tree lists each overlapping pair of boxes once, and no other pair", "[mesh][proximity]") {
   std::mt19937_64 random(8);
   for (const int count : {0, 1, 2, 3, 17, 64, 200}) {
     Positions centres(count, 3);
@@ -123,9 +125,9 @@ TEST_CASE("the tree finds each overlapping pair of boxes once and no other", "[m
     }
     BoxTree tree(centres);
     tree.renew(boxes);
-    std::vector<std::pair<int, int>> found, expected;
-    tree.for_overlaps([&](int i, int j) { found.emplace_back(std::min(i, j), std::max(i, j)); });
-    std::ranges::sort(found);
+    std::vector<std::pair<int, int>> overlaps, expected;
+    tree.for_overlaps([&](int i, int j) { overlaps.emplace_back(std::min(i, j), std::max(i, j)); });
+    std::ranges::sort(overlaps);
     for (int i = 0; i < count; ++i)
       for (int j = i + 1; j < count; ++j) {
         const Box &p = boxes[static_cast<std::size_t>(i)], &q = boxes[static_cast<std::size_t>(j)];
@@ -133,13 +135,13 @@ TEST_CASE("the tree finds each overlapping pair of boxes once and no other", "[m
         for (Eigen::Index k = 0; k < 3; ++k) overlap &= p.low(k) <= q.high(k) && q.low(k) <= p.high(k);
         if (overlap) expected.emplace_back(i, j);
       }
-    CHECK(found == expected);
+    CHECK(overlaps == expected);
   }
 }
 
 TEST_CASE("self-intersections are pairs of triangles that cross", "[mesh][proximity]") {
   const TriangleMesh flat = grid(1, 1, 4, 4);
-  CHECK(self_intersections(flat.positions, flat.triangles).empty());  // neighbours only touch
+  CHECK(self_intersections(flat.positions, flat.triangles).empty());  // neighbouring triangles only touch
   Positions two(6, 3);
   two << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0.2, 0.2, -1, 0.2, 0.2, 1, 3, 3, 0;
   const Triangles triangles{{0, 1, 2}, {3, 4, 5}};

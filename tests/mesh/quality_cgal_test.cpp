@@ -1,5 +1,5 @@
-// measure_quality() asks its own quick tests first; here they are compared with CGAL's predicates, triangle
-// by triangle, in exact rational numbers.
+// measure_quality() uses quick tests of its own first. Here these tests are compared with CGAL's predicates
+// in exact rational numbers, for single triangles.
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Simple_cartesian.h>
@@ -15,14 +15,14 @@
 namespace PMP = CGAL::Polygon_mesh_processing;
 using namespace bendlab;
 
-TEST_CASE("needles, caps and collinear triangles are CGAL's", "[mesh][quality]") {
+TEST_CASE("the counts of needles, caps and collinear triangles agree with CGAL", "[mesh][quality]") {
   using Point = CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_3;
   using Mesh = CGAL::Surface_mesh<Point>;
   constexpr QualityThresholds thresholds;
   const double cap_cosine = std::cos(thresholds.cap_angle * std::numbers::pi / 180);
 
-  // Corners on a coarse lattice, so that many triangles are collinear, and some of them moved by one part in
-  // 10¹⁵, so that many are nearly so.
+  // Corners lie on a coarse lattice, so many triangles are collinear. Some corners are moved by one part in
+  // 10¹⁵, so many triangles are nearly collinear.
   std::mt19937_64 random(11);
   int needles = 0, caps = 0, collinear = 0;
   for (int trial = 0; trial < 6000; ++trial) {
@@ -49,7 +49,7 @@ TEST_CASE("needles, caps and collinear triangles are CGAL's", "[mesh][quality]")
     REQUIRE(q.degenerate_triangles == (is_needle || is_cap || is_collinear));
     needles += is_needle, caps += is_cap, collinear += is_collinear;
   }
-  CHECK(needles > 50);  // the sample has enough of each kind to mean something
+  CHECK(needles > 50);  // the sample has enough triangles of each kind
   CHECK(caps > 50);
   CHECK(collinear > 50);
 }

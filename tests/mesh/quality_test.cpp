@@ -27,7 +27,7 @@ MeshQuality quality_of(const Vector3& a, const Vector3& b, const Vector3& c,
   return measure_quality(positions, Triangles{{0, 1, 2}}, thresholds);
 }
 
-// Of a mesh with one triangle: the value of a measure.
+// The value of a measure for a mesh with one triangle.
 double value(const MeshQuality& quality, std::string_view name) {
   const auto measures = quality_measures();
   const auto at =
@@ -39,7 +39,7 @@ double value(const MeshQuality& quality, std::string_view name) {
   return summary.median;
 }
 
-// One triangle after the other, none sharing a vertex.
+// A mesh of triangles that share no vertices.
 struct Heap {
   Positions positions;
   Triangles triangles;
@@ -57,7 +57,7 @@ constexpr double rounding = 1e-14;  // relative: a dozen operations
 
 }  // namespace
 
-TEST_CASE("an equilateral triangle is perfect", "[mesh][quality]") {
+TEST_CASE("an equilateral triangle has the best value of every measure", "[mesh][quality]") {
   const MeshQuality q = quality_of({0, 0, 5}, {2, 0, 5}, {1, std::sqrt(3.0), 5});
   for (const char* name : {"edge_ratio", "aspect_ratio", "radius_ratio", "shape", "condition"})
     CHECK_THAT(value(q, name), WithinRel(1.0, rounding));
@@ -67,7 +67,7 @@ TEST_CASE("an equilateral triangle is perfect", "[mesh][quality]") {
   CHECK(q.small_angles == 0);
 }
 
-TEST_CASE("the measures of a 3-4-5 triangle", "[mesh][quality]") {
+TEST_CASE("the measures of a 3-4-5 triangle agree with values by hand", "[mesh][quality]") {
   const MeshQuality q = quality_of({1, 1, 1}, {1, 4, 1}, {1, 1, 5});  // area 6, circumradius 5/2, inradius 1
   CHECK_THAT(value(q, "edge_ratio"), WithinRel(5.0 / 3, rounding));
   CHECK_THAT(value(q, "aspect_ratio"),
@@ -78,7 +78,7 @@ TEST_CASE("the measures of a 3-4-5 triangle", "[mesh][quality]") {
   CHECK_THAT(value(q, "maximum_angle"), WithinRel(90.0, rounding));
 }
 
-TEST_CASE("condition is that of Q weighted by the equilateral triangle", "[mesh][quality]") {
+TEST_CASE("condition is the condition number of Q weighted by the equilateral triangle", "[mesh][quality]") {
   std::mt19937_64 random(2);
   const auto coordinate = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   Eigen::Matrix2d equilateral;
@@ -96,7 +96,7 @@ TEST_CASE("condition is that of Q weighted by the equilateral triangle", "[mesh]
   }
 }
 
-TEST_CASE("percentiles are the nearest ranks", "[mesh][quality]") {
+TEST_CASE("percentiles are values at the nearest rank", "[mesh][quality]") {
   std::vector<int> ratios(201);
   for (int i = 0; i < 201; ++i) ratios[static_cast<std::size_t>(i)] = i + 1;
   std::shuffle(ratios.begin(), ratios.end(), std::mt19937(5));
@@ -120,7 +120,7 @@ TEST_CASE("percentiles are the nearest ranks", "[mesh][quality]") {
   CHECK(q.small_angles == 196);  // apex(5) = 11.5°, apex(6) = 9.6°
 }
 
-TEST_CASE("needles, caps and collinear triangles", "[mesh][quality]") {
+TEST_CASE("needles, caps and collinear triangles are counted", "[mesh][quality]") {
   struct Case {
     Vector3 apex;
     int needle, cap, collinear, small_angle;
@@ -129,7 +129,7 @@ TEST_CASE("needles, caps and collinear triangles", "[mesh][quality]") {
   for (const auto& [apex, needle, cap, collinear, small_angle] : {
            Case{{0.5, 0.8, 0}, 0, 0, 0, 0}, Case{{0, 0.24, 0}, 1, 0, 0, 0},  // right-angled, 13.5°
            Case{{0, 0.1, 0}, 1, 0, 0, 1}, Case{{0.5, 0.05, 0}, 0, 1, 0, 1},  // 168.6° at the apex, equal legs
-           Case{{0.1, 0.01, 0}, 1, 1, 0, 1},                                 // both
+           Case{{0.1, 0.01, 0}, 1, 1, 0, 1},                                 // needle and cap
            Case{{0.5, 0, 0}, 0, 1, 1, 1}, Case{{0.1, 0, 0}, 1, 1, 1, 1},
            Case{{0.5, flat, 0}, 0, 1, 0, 1},  // nearly collinear is not collinear
            Case{{0, 0, 0}, 1, 0, 1, 1},       // a zero edge makes a needle, not a cap
@@ -143,12 +143,13 @@ TEST_CASE("needles, caps and collinear triangles", "[mesh][quality]") {
     CHECK(q.degenerate_triangles == (needle + cap + collinear > 0 ? 1 : 0));
     CHECK(q.non_finite == 0);
   }
-  // Collinear along no axis: exact although no coordinate difference is a power of two.
+  // Collinear, but along no axis. The result is exact although no difference of coordinates is a power of
+  // two.
   CHECK(quality_of({0.1, 0.3, 0.7}, {0.2, 0.6, 1.4}, {0.4, 1.2, 2.8}).collinear == 1);
   CHECK(quality_of({0.1, 0.3, 0.7}, {0.2, 0.6, std::nextafter(1.4, 2.0)}, {0.4, 1.2, 2.8}).collinear == 0);
 }
 
-TEST_CASE("thresholds decide what counts", "[mesh][quality]") {
+TEST_CASE("thresholds decide which triangles count as bad", "[mesh][quality]") {
   const Vector3 a(0, 0, 0), b(1, 0, 0), apex(0.5, 0.25, 0);  // 26.6° and 126.9°, edge ratio 1.79
   const auto counts = [&](const QualityThresholds& thresholds) {
     const MeshQuality q = quality_of(a, b, apex, thresholds);
@@ -188,7 +189,7 @@ TEST_CASE("quality does not depend on the unit of length", "[mesh][quality]") {
   const TriangleMesh mesh = delaunay(1, 1, 12, 3);
   const MeshQuality here = measure_quality(mesh.positions, mesh.triangles);
   for (const double unit :
-       {0x1p-10, 0x1p10, 0x1p-900, 0x1p900}) {  // powers of two: not even rounding differs
+       {0x1p-10, 0x1p10, 0x1p-900, 0x1p900}) {  // powers of two, so even rounding is the same
     const MeshQuality there = measure_quality(mesh.positions * unit, mesh.triangles);
     for (std::size_t m = 0; m < here.measures.size(); ++m) {
       CHECK(here.measures[m].minimum == there.measures[m].minimum);

@@ -34,7 +34,7 @@ Levels default_levels(const RestMesh& rest) {
 
 }  // namespace
 
-TEST_CASE("the edges and neighbours of two cells, by hand", "[mesh]") {
+TEST_CASE("the edges and neighbours of two cells agree with a list by hand", "[mesh]") {
   const RestMesh rest = two_cells();
   Edges edges(9, 2);
   edges << 0, 1, 0, 3, 0, 4, 1, 2, 1, 4, 1, 5, 2, 5, 3, 4, 4, 5;
@@ -43,16 +43,16 @@ TEST_CASE("the edges and neighbours of two cells, by hand", "[mesh]") {
                                                     {0, 4},    {0, 1, 3, 5}, {1, 2, 4}};
   for (int v = 0; v < 6; ++v) CHECK(list(rest.one_ring()[v]) == neighbours[static_cast<std::size_t>(v)]);
   for (const double area : rest.areas()) CHECK(area == 0.5);
-  // Seven edges of length 1, two diagonals; one rounding per addition.
+  // Seven edges of length 1 and two diagonals, with one rounding per addition.
   CHECK_THAT(rest.mean_edge_length(), WithinRel((7 + 2 * std::sqrt(2.0)) / 9, 1e-15));
   CHECK_THAT(rest.size(), WithinRel(std::sqrt(5.0), 1e-15));
 }
 
-TEST_CASE("every interior edge is one hinge, with the two vertices across it", "[mesh]") {
+TEST_CASE("every interior edge is a hinge with its two opposite vertices", "[mesh]") {
   const RestMesh rest = two_cells();
   REQUIRE(rest.hinges().size() == 3);
   const std::array<std::array<int, 4>, 3> expected = {
-      {{0, 4, 1, 3}, {1, 4, 0, 5}, {1, 5, 2, 4}}};  // edge, opposites
+      {{0, 4, 1, 3}, {1, 4, 0, 5}, {1, 5, 2, 4}}};  // edge, opposite vertices
   for (std::size_t h = 0; h < 3; ++h) {
     auto [edge, opposite] = rest.hinges()[h];
     std::sort(opposite.begin(), opposite.end());
@@ -86,11 +86,11 @@ TEST_CASE("ring r of an interior vertex of a triangular lattice has 6 r vertices
   }
 }
 
-TEST_CASE("rings end where the mesh ends and hold every vertex once", "[mesh]") {
+TEST_CASE("rings end at the border of the mesh and hold every vertex once", "[mesh]") {
   const RestMesh rest(grid(1, 1, 3, 3));
   RingWalker walker(rest.one_ring());
-  for (int centre = 0; centre < rest.vertex_count();
-       ++centre) {  // one walker for all: its marks have to hold
+  // All walks use the same walker, so its marks must stay valid.
+  for (int centre = 0; centre < rest.vertex_count(); ++centre) {
     walker.walk(centre, 100);
     std::vector<int> seen;
     for (int r = 0; r <= 101; ++r)
@@ -104,16 +104,17 @@ TEST_CASE("rings end where the mesh ends and hold every vertex once", "[mesh]") 
   CHECK(walker.ring(3).size() == 7);  // top and right side
 }
 
-TEST_CASE("a clamp is as wide at every resolution", "[mesh]") {
+TEST_CASE("a clamp has the same width at every resolution", "[mesh]") {
   for (const int cells : {8, 16, 40}) {
     const RestMesh rest(grid(1, 1, cells, cells));
-    // Columns at 0, 1/8, 1/4: whole, though most of their vertices are no nearer to a seed than to the side.
+    // The columns at 0, 1/8 and 1/4 are pinned completely: their vertices are as near to a seed as to the
+    // side.
     const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0, 0.25);
     CHECK(pins.all.size() == static_cast<std::size_t>((cells / 4 + 1) * (cells + 1)));
     CHECK(pins.seeds.size() == static_cast<std::size_t>(cells + 1));
   }
-  const RestMesh rest(
-      equilateral(1, 1, 10));  // its left side zigzags: a seed alone, and six around it at 0.1
+  // A single seed, with six vertices around it at 0.1.
+  const RestMesh rest(equilateral(1, 1, 10));
   CHECK(make_pins(rest, select_vertices(rest, Place::centre), 0, 0.1).all.size() == 7);
 }
 
@@ -122,21 +123,21 @@ TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
   const std::vector<int> corner = select_vertices(rest, Place::upper_right);
   REQUIRE(corner == std::vector{24});
   CHECK(make_pins(rest, corner, 0).all == std::vector{24});
-  const Pins pins =
-      make_pins(rest, corner, 1);  // two triangles meet there: left, below and diagonal neighbour
+  // Two triangles meet at the corner: its neighbours are to the left, below and along the diagonal.
+  const Pins pins = make_pins(rest, corner, 1);
   CHECK(pins.seeds == std::vector{24});
   CHECK(pins.all == std::vector{18, 19, 23, 24});
   for (int v = 0; v < rest.vertex_count(); ++v)
     CHECK(pins.pinned(v) == std::binary_search(pins.all.begin(), pins.all.end(), v));
   CHECK(make_pins(rest, select_vertices(rest, Place::lower_right), 1).all ==
-        std::vector{3, 4, 9});  // one triangle
+        std::vector{3, 4, 9});  // in one triangle
 
   CHECK(make_pins(rest, {6, 2, 6}, 0).seeds == std::vector{2, 6});
   CHECK_THROWS_AS(make_pins(rest, {25}, 1), std::out_of_range);
   CHECK_THROWS_AS(make_pins(rest, {-1}, 1), std::out_of_range);
 }
 
-TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
+TEST_CASE("vertices are selected by their place in the box around the rest shape", "[mesh]") {
   const RestMesh rest(grid(3, 2, 3, 2));  // rows 0 … 3, 4 … 7, 8 … 11
   CHECK(select_vertices(rest, Place::lower_left) == std::vector{0});
   CHECK(select_vertices(rest, Place::upper_left) == std::vector{8});
@@ -146,7 +147,7 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   CHECK(select_vertices(rest, Place::right) == std::vector{3, 7, 11});
   CHECK(select_vertices(RestMesh(disc(1, 3)), Place::centre) == std::vector{0});
   CHECK_THROWS_AS(select_vertices(rest, Place::top_rim),
-                  std::invalid_argument);  // flat: it would be every vertex
+                  std::invalid_argument);  // in a flat mesh the rim would be every vertex
 
   const RestMesh sleeve(tube(0.3, 0.2, 1, 5));
   CHECK(select_vertices(sleeve, Place::bottom_rim) == std::vector{0, 1, 2, 3, 4});
@@ -154,7 +155,7 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   CHECK(select_vertices(sleeve, Place::top_rim) == std::vector{last - 4, last - 3, last - 2, last - 1, last});
 }
 
-TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
+TEST_CASE("in a standing sheet, names of places use z as up", "[mesh]") {
   const TriangleMesh flat = grid(3, 2, 12, 8);  // 13 vertices in a row, 9 rows
   const RestMesh lying(flat);
   const auto standing = [&](int right, double waves) {
@@ -165,7 +166,8 @@ TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
     mesh.positions.col(1 - right) = waves * (4 * flat.positions.col(0)).array().sin();
     return mesh;
   };
-  // In the planes y = 0 and x = 0, and with folds as a curtain has them: the same places as lying.
+  // In the planes y = 0 and x = 0, and with folds like a curtain, the same vertices have the names as in a
+  // lying sheet.
   for (const int right : {0, 1})
     for (const double waves : {0.0, 0.08}) {
       INFO("right is axis " << right << ", folds of " << waves);
@@ -177,15 +179,15 @@ TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
       CHECK(select_vertices(rest, Place::upper_left) == std::vector{8 * 13});
       CHECK(select_vertices(rest, Place::top_rim) == select_vertices(lying, Place::top));
     }
-  // A sheet that only leans has its names in x and y, and so has a tube.
+  // A leaning sheet and a tube have their names in x and y.
   TriangleMesh leaning = flat;
   leaning.positions.col(2) = 5 * flat.positions.col(1);
   CHECK(select_vertices(RestMesh(leaning), Place::upper_left) == std::vector{8 * 13});
   CHECK(named_axes(RestMesh(tube(0.05, 0.05, 3, 12))).up == 1);
 }
 
-TEST_CASE("of equally near vertices the place decides, not the number", "[mesh]") {
-  // The middle of 3 × 3 cells is between four vertices; a corner of a tube's box is above every second row.
+TEST_CASE("if vertices are equally near, their place decides and not their number", "[mesh]") {
+  // The middle of 3 × 3 cells is between four vertices. A corner of a tube's box is above every second row.
   const auto place = [](const TriangleMesh& mesh, Place name) -> Vector3 {
     const RestMesh rest(mesh);
     return rest.position(select_vertices(rest, name).front());
@@ -194,24 +196,25 @@ TEST_CASE("of equally near vertices the place decides, not the number", "[mesh]"
   CHECK((place(square, Place::centre) - Vector3(-0.5, -0.5, 0)).norm() < 1e-12);
   CHECK((place(ball, Place::centre) - Vector3(0, 0, 1)).norm() < 1e-12);  // seen from above
   const double top = sleeve.positions.col(2).maxCoeff();
-  CHECK(place(sleeve, Place::upper_right).z() > top - 2 * 4.0 / 5);  // of the upper two of at least five rows
+  CHECK(place(sleeve, Place::upper_right).z() > top - 2 * 4.0 / 5);  // in the upper two of at least five rows
   for (const unsigned seed : {1U, 2U, 3U})
     for (const TriangleMesh& mesh : {square, sleeve, ball})
       for (const Place name : {Place::centre, Place::upper_right, Place::lower_left})
         CHECK((place(shuffled(mesh, seed), name) - place(mesh, name)).norm() < 1e-12);
 }
 
-TEST_CASE("a circle is closed around the centre, and four vertices lie inside", "[mesh]") {
-  const RestMesh round(
-      disc(0.5, 8));  // rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4, of 24 vertices
+TEST_CASE("the place circle is a closed ring around the centre, and the place interior has four vertices",
+          "[mesh]") {
+  // Rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4 with 24 vertices.
+  const RestMesh round(disc(0.5, 8));
   const std::vector<int> circle = select_vertices(round, Place::circle);
   CHECK(circle.size() == 24);
   for (const int v : circle) CHECK_THAT(round.position(v).norm(), WithinAbs(0.25, 1e-12));
 
-  const RestMesh four(
-      grid(1, 1, 4, 4, Diagonal::both));  // a cross around the centre, its corners are farther: √2/4
+  // Four cells around the centre, whose corners are farther away: √2/4.
+  const RestMesh four(grid(1, 1, 4, 4, Diagonal::both));
   for (const int v : select_vertices(four, Place::circle)) CHECK(four.position(v).norm() <= 0.25 + 1e-12);
-  CHECK(select_vertices(four, Place::circle).size() == 8);  // 4 neighbours at 1/4 and the 4 crossings at √2/8
+  CHECK(select_vertices(four, Place::circle).size() == 8);  // 4 neighbours at 1/4, 4 cell centres at √2/8
 
   const RestMesh round_about(tube(0.25, 0.25, 2, 24));
   const std::vector<int> patch = select_vertices(round_about, Place::circle);
@@ -222,14 +225,14 @@ TEST_CASE("a circle is closed around the centre, and four vertices lie inside", 
   const std::vector<int> interior = select_vertices(ten, Place::interior);
   REQUIRE(interior.size() == 4);
   for (const int v : interior) {
-    CHECK_THAT(std::abs(ten.position(v).x()), WithinAbs(0.4, 1e-12));  // 0.3 and 0.7 of 2, from the middle
+    CHECK_THAT(std::abs(ten.position(v).x()), WithinAbs(0.4, 1e-12));  // at 0.3 and 0.7 of the width 2
     CHECK_THAT(std::abs(ten.position(v).y()), WithinAbs(0.2, 1e-12));
   }
   CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), Place::interior) ==
-        std::vector<int>(4, 4));  // the only one there is
+        std::vector<int>(4, 4));  // the only interior vertex
 }
 
-TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {
+TEST_CASE("the paper's m and n agree with values by hand for three meshes", "[mesh][levels]") {
   SECTION("unit square grid") {
     struct Case {
       int cells;
@@ -240,8 +243,8 @@ TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {
          {Case{16, 1.50, 1}, Case{32, 2.00, 1}, Case{64, 2.99, 2}, Case{128, 4.98, 4}}) {
       const Levels levels = default_levels(RestMesh(grid(1, 1, cells, cells)));
       CHECK_THAT(levels.m_unrounded, WithinAbs(unrounded, 0.005));  // known to two decimals
-      // 2 N (N + 1) sides of length 1 / N and N² diagonals; a few thousand additions round by less than
-      // 10⁻¹².
+      // 2 N (N + 1) sides of length 1 / N and N² diagonals. The rounding of a few thousand additions is less
+      // than 10⁻¹².
       const double n = cells, mean_edge = (2 * (n + 1) + std::sqrt(2.0) * n) / (3 * n * n + 2 * n);
       CHECK_THAT(levels.m_unrounded, WithinRel(std::sqrt(2.0) / 4 / mean_edge * 0.1 + 1, 1e-12));
       CHECK(levels.m == m);

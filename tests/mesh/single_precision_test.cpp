@@ -18,11 +18,12 @@ bool loses_edges(const TriangleMesh& mesh) {
 }
 
 TEST_CASE("far from the origin single precision loses edges", "[mesh]") {
-  // A triangle of a square cell has sides a, a, √2 a. Coordinates are rounded by 2⁻²⁴ of their size at most.
+  // A triangle of a square cell has the sides a, a and √2 a. The rounding of coordinates is at most 2⁻²⁴ of
+  // their size.
   const double mean = (2 + std::sqrt(2.0)) / 3 / 64, limit = 1e-4 * mean * 0x1p24;
   const TriangleMesh sheet = grid(1, 1, 64, 64);
   CHECK_FALSE(loses_edges(sheet));
-  CHECK_FALSE(loses_edges(moved(sheet, 0, limit - 0.6, 0)));  // the sheet reaches out by half a metre
+  CHECK_FALSE(loses_edges(moved(sheet, 0, limit - 0.6, 0)));  // the sheet extends by half a metre
   CHECK(loses_edges(moved(sheet, 0, limit - 0.4, 0)));
   CHECK(loses_edges(moved(sheet, 0, 0, -2 * limit)));
   CHECK_FALSE(needs_double(Positions(0, 3), Triangles(0, 3)));
@@ -34,16 +35,16 @@ TEST_CASE("far from the origin single precision loses edges", "[mesh]") {
   CHECK(loses_edges(survey));
 }
 
-TEST_CASE("an origin near the mesh is round, and leaves floats their digits", "[mesh]") {
+TEST_CASE("the chosen origin is a round number near the mesh, so floats keep their digits", "[mesh]") {
   CHECK(round_centre(moved(grid(1, 1, 2, 2), 1e6, -1e5, 0.25).positions) == Vector3(1e6, -1e5, 0));
   CHECK(round_centre(moved(grid(100, 80, 2, 2), 450123, 5412345, 250).positions) ==
         Vector3(450100, 5412300, 300));  // whole hundreds
-  // In thousandths: their nearest doubles, as a reader of the text has them.
+  // Multiples of a thousandth, as the nearest doubles that a parser reads from the text.
   CHECK(round_centre(moved(grid(0.002, 0.002, 2, 2), 0.5004, 1.2346, 0).positions) == Vector3(0.5, 1.235, 0));
 
   const TriangleMesh far = moved(grid(3, 2, 50, 30), 1234567.8, 7654321.9, 1e7);
   const Positions near = far.positions.rowwise() - round_centre(far.positions).transpose();
-  CHECK(near.cwiseAbs().maxCoeff() <= 2);  // half of the box, and half of a metre of rounding
+  CHECK(near.cwiseAbs().maxCoeff() <= 2);  // half of the box plus half a metre of rounding
   CHECK_FALSE(needs_double(near, far.triangles));
 }
 

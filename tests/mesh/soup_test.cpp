@@ -45,7 +45,7 @@ TEST_CASE("a sound soup has no problems", "[mesh][soup]") {
   CHECK(diagnose(square()).empty());
 }
 
-TEST_CASE("each kind of problem is found, with its place", "[mesh][soup]") {
+TEST_CASE("each kind of problem is found and located", "[mesh][soup]") {
   PolygonSoup soup = square();
   SECTION("empty") {
     check_single({}, Kind::empty, 1, {});
@@ -117,7 +117,7 @@ TEST_CASE("all problems of a soup are reported at once", "[mesh][soup]") {
 
 TEST_CASE("zero area is relative to the mesh's size", "[mesh][soup]") {
   for (const double unit : {1e-6, 1.0, 1e6}) {
-    for (const double thickness : {0.5e-7, 2e-7}) {  // of the diagonal √2, on either side of the bound
+    for (const double thickness : {0.5e-7, 2e-7}) {  // below and above the bound for the diagonal √2
       PolygonSoup soup = square();
       soup.points.push_back({1 + thickness * std::sqrt(2.0), 0.5, 0});
       soup.triangles.push_back({1, 4, 2});
@@ -128,9 +128,9 @@ TEST_CASE("zero area is relative to the mesh's size", "[mesh][soup]") {
   }
 }
 
-TEST_CASE("a Möbius strip can't be oriented", "[mesh][soup]") {
-  // Five vertices around, each triangle on three that follow each other: the smallest Möbius strip.
-  for (unsigned flipped = 0; flipped < 32; ++flipped) {  // whichever of its triangles are turned over
+TEST_CASE("a Möbius strip cannot be oriented", "[mesh][soup]") {
+  // The smallest Möbius strip: five vertices in a circle, and triangles of three successive vertices.
+  for (unsigned flipped = 0; flipped < 32; ++flipped) {  // any of its triangles may be turned over
     PolygonSoup soup;
     for (int i = 0; i < 5; ++i) {
       soup.points.push_back({std::cos(i), std::sin(i), 0.3 * i});
@@ -141,7 +141,7 @@ TEST_CASE("a Möbius strip can't be oriented", "[mesh][soup]") {
   }
 }
 
-TEST_CASE("isolated vertices are dropped and the others renumbered", "[mesh][soup]") {
+TEST_CASE("isolated vertices are left out and the remaining vertices renumbered", "[mesh][soup]") {
   PolygonSoup soup = square();
   soup.points.insert(soup.points.begin() + 1, {9, 9, 9});
   soup.triangles = {{0, 2, 3}, {0, 3, 4}};

@@ -1,4 +1,4 @@
-// Text STL: the format knows nothing but points, so what a file holds is told by its keywords alone.
+// Text STL. The format has only points, so only its keywords show whether a file is complete.
 #include <stdexcept>
 #include <string>
 
@@ -15,7 +15,7 @@ const std::vector<std::array<std::int64_t, 3>> two = {{0, 1, 2}, {0, 2, 3}};
 
 }  // namespace
 
-TEST_CASE("STL as text: all solids, in any case", "[mesh][files]") {
+TEST_CASE("STL as text: all solids are read, in lower or upper case", "[mesh][files]") {
   const auto facet = [](const std::string& corners) {
     return "facet normal 0 0 1\nouter loop\n" + corners + "endloop\nendfacet\n";
   };
@@ -37,7 +37,7 @@ TEST_CASE("STL as text: all solids, in any case", "[mesh][files]") {
   CHECK_THROWS_WITH(parse_stl("solid a\n" + lower), ContainsSubstring("ends before 'endsolid'"));
   CHECK_THROWS_WITH(parse_stl("solid a\n" + lower + "endsolid\nsolid b\n" + upper),
                     ContainsSubstring("ends before 'endsolid'"));
-  // The end of one file lost, another behind it.
+  // The end of the first file is lost, and a second file follows.
   CHECK_THROWS_WITH(parse_stl("solid a\n" + lower.substr(0, 60) + "\nsolid b\n" + upper + "endsolid\n"),
                     ContainsSubstring("no 'endfacet'"));
 }

@@ -22,7 +22,7 @@ Pins table() {
   return make_pins(specimen(), select_vertices(specimen(), Place::centre), 36);
 }
 
-// The overhang reaches as far as `reach(angle)` m from the centre.
+// Positions in which the overhang extends to `reach(angle)` m from the centre.
 template <class Reach>
 Positions draped(const Reach& reach) {
   Positions x = specimen().positions();
@@ -37,11 +37,12 @@ Positions draped(const Reach& reach) {
 
 }  // namespace
 
-TEST_CASE("drape: circles", "[metrics]") {
+TEST_CASE("drape: the coefficient of circular shadows is right", "[metrics]") {
   const Vector3 down = -Vector3::UnitZ();
   CHECK_THAT(drape_of(specimen(), table(), specimen().positions(), down).coefficient, WithinAbs(1, 1e-6));
-  // Shadows of radius 9, 11, 13 cm are 0, 27.8 and 61.1 % of the ring between 9 and 15 cm. The table is a
-  // polygon of 216 corners, the specimen one of 360, in 3 600 directions: 1e-4.
+  // Shadows of radius 9, 11 and 13 cm cover 0, 27.8 and 61.1 % of the ring between 9 and 15 cm. The table is
+  // a polygon of 216 corners, the specimen has 360 corners, and 3 600 directions are sampled: an error of
+  // 1e-4.
   for (const auto& [radius, expected] : {std::pair{0.09, 0.0}, {0.11, 0.2778}, {0.13, 0.6111}}) {
     const Drape drape = drape_of(specimen(), table(), draped([r = radius](double) { return r; }), down);
     CHECK_THAT(drape.coefficient, WithinAbs(expected, 4e-4));
@@ -49,7 +50,7 @@ TEST_CASE("drape: circles", "[metrics]") {
   }
 }
 
-TEST_CASE("drape: folds", "[metrics]") {
+TEST_CASE("drape: the coefficient of a shadow with folds is right", "[metrics]") {
   // A reach of 0.12 (1 + a cos 5θ) encloses π 0.12² (1 + a² / 2).
   const double a = 0.1, pi = std::numbers::pi;
   const Drape drape =
@@ -60,7 +61,7 @@ TEST_CASE("drape: folds", "[metrics]") {
              WithinAbs((pi * 0.0144 * (1 + a * a / 2) - pi * 0.0081) / (pi * (0.0225 - 0.0081)), 1e-3));
 }
 
-TEST_CASE("drape: needs a table and something that hangs over it", "[metrics]") {
+TEST_CASE("drape: the scene needs a table and cloth that hangs over it", "[metrics]") {
   const Vector3 down = -Vector3::UnitZ();
   CHECK_THROWS_AS(drape_of(specimen(), make_pins(specimen(), {0}, 0), specimen().positions(), down),
                   std::invalid_argument);

@@ -11,12 +11,12 @@ namespace bendlab {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-TEST_CASE("principal stretches of a known deformation", "[metrics]") {
+TEST_CASE("principal stretches of a known deformation are right", "[metrics]") {
   const RestMesh rest(delaunay(2, 1, 6, 1));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const StretchMeter meter(rest, pins);
-  // Stretch 1.5 and 0.8 along axes turned by 30°, then bent rigidly out of the plane: σ = 1.5, 0.8
-  // everywhere.
+  // Stretch by 1.5 and 0.8 along axes turned by 30°, then a rigid rotation out of the plane. So σ = 1.5 and
+  // 0.8 everywhere.
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5235987755982988, Vector3::UnitZ()).toRotationMatrix();
   const Eigen::Matrix3d rigid = Eigen::AngleAxisd(1.1, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   const Eigen::Matrix3d f = rigid * turn * Vector3(1.5, 0.8, 1).asDiagonal() * turn.transpose();
@@ -33,13 +33,13 @@ TEST_CASE("principal stretches of a known deformation", "[metrics]") {
   CHECK_THAT(summary.pin_max_stretch, WithinRel(1.5, 1e-12));
 }
 
-TEST_CASE("stretch at the pin and around it look at the right triangles", "[metrics]") {
-  // Rows of unit cells; the triangles of the far left column are stretched, the pin is at the right.
+TEST_CASE("stretch at the pin and stretch around it use the right triangles", "[metrics]") {
+  // A row of unit cells. The triangles of the leftmost cell are stretched, and the pin is at the right.
   const RestMesh rest(grid(10, 1, 10, 1));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 0);
   const StretchMeter meter(rest, pins);
   Positions positions = rest.positions();
-  for (const int v : select_vertices(rest, Place::left)) positions(v, 0) -= 1;  // first column: 2 wide
+  for (const int v : select_vertices(rest, Place::left)) positions(v, 0) -= 1;  // the leftmost cell is 2 wide
   const StretchSummary summary = meter.summarise(meter.measure(positions));
   CHECK_THAT(summary.max_stretch, WithinRel(2.0, 1e-12));
   CHECK_THAT(summary.pin_max_stretch, WithinRel(1.0, 1e-12));
@@ -50,8 +50,9 @@ TEST_CASE("stretch at the pin and around it look at the right triangles", "[metr
   CHECK(std::isnan(without_pins.pin_max_stretch));
 }
 
-TEST_CASE("energy and momenta of a rigid motion", "[metrics]") {
-  // A dumbbell of 2 × 1.5 kg, 1 m from its centre, spinning at 3 rad/s about z while moving at 2 m/s along z.
+TEST_CASE("energy and momenta of a rigid motion are right", "[metrics]") {
+  // A dumbbell: two masses of 1.5 kg, 1 m from its centre. It spins at 3 rad/s about z and moves at 2 m/s
+  // along z.
   const std::vector<double> mass = {1.5, 1.5};
   Positions positions(2, 3), velocities(2, 3);
   positions << 6, 5, 0, 4, 5, 0;

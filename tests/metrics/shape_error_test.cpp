@@ -1,4 +1,4 @@
-// Distances between poses whose answer is known beforehand.
+// Distances between poses, compared with known values.
 #include "bendlab/metrics/shape_error.hpp"
 
 #include <Eigen/Geometry>
@@ -17,9 +17,9 @@ namespace {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-constexpr double rounding = 1e-12;  // m: some hundred additions of numbers around 1
+constexpr double rounding = 1e-12;  // m: about a hundred additions of numbers near 1
 
-// Each vertex's third of its triangles.
+// A third of the area of its triangles for each vertex.
 std::vector<double> shares(const RestMesh& rest) {
   std::vector<double> share(static_cast<std::size_t>(rest.vertex_count()), 0);
   for (int t = 0; t < rest.triangle_count(); ++t)
@@ -33,7 +33,7 @@ Positions turned(const Positions& positions, double angle, const Vector3& axis, 
   return ((positions.rowwise() - centre.transpose()) * rotation.transpose()).rowwise() + centre.transpose();
 }
 
-// A sheet that is nowhere straight.
+// A sheet that is curved everywhere.
 Positions wavy(const RestMesh& rest) {
   Positions pose = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v)
@@ -43,7 +43,7 @@ Positions wavy(const RestMesh& rest) {
 
 }  // namespace
 
-TEST_CASE("shape error: a sheet that is shifted is as far away everywhere", "[metrics]") {
+TEST_CASE("shape error: a shifted sheet has the same distance everywhere", "[metrics]") {
   const RestMesh rest(delaunay(2, 1, 12, 3));
   const Vector3 by(0.03, -0.04, 0.12);  // 0.13 m long
   const Positions shifted = rest.positions().rowwise() + by.transpose();
@@ -52,9 +52,10 @@ TEST_CASE("shape error: a sheet that is shifted is as far away everywhere", "[me
   CHECK_THAT(error.largest, WithinAbs(0.13, rounding));
 }
 
-TEST_CASE("shape error: every part of the cloth counts by its area, not by its vertices", "[metrics]") {
-  // The left half has cells a quarter as wide as the right one's; only the right half moves, in proportion to
-  // its distance u from the middle: ∫ u² du over [0, 1/2] is 1/24 of a sheet of area 1.
+TEST_CASE("shape error: parts of the cloth count by their area, not by their number of vertices",
+          "[metrics]") {
+  // Cells of the left half are a quarter as wide as cells of the right half. Only the right half moves, by
+  // its distance u from the middle. ∫ u² du over [0, 1/2] is 1/24 for a sheet of area 1.
   TriangleMesh mesh = grid(1, 1, 50, 10);
   for (Eigen::Index v = 0; v < mesh.vertex_count(); ++v)
     if (double& x = mesh.positions(v, 0); x < 0.3 - 1e-9)
@@ -65,12 +66,12 @@ TEST_CASE("shape error: every part of the cloth counts by its area, not by its v
   Positions moved = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) moved(v, 2) += std::max(0.0, moved(v, 0));
   const ShapeError error = shape_error(moved, rest.positions(), shares(rest));
-  // The trapezoidal rule over cells h = 1/20 is off by h²/12 · Δ(2u) / ½∫u² ≈ 1/2 % of the square.
+  // The trapezoidal rule with cells h = 1/20 has an error of h²/12 · Δ(2u) / ½∫u² ≈ 1/2 % of the square.
   CHECK_THAT(error.rms, WithinRel(std::sqrt(1.0 / 24), 4e-3));
   CHECK_THAT(error.largest, WithinAbs(0.5, rounding));
 }
 
-TEST_CASE("shape error: nothing is left after the best turn about the vertical, or the best rigid motion",
+TEST_CASE("shape error: the error of a turned pose is zero after the best turn or the best rigid motion",
           "[metrics]") {
   const RestMesh rest(delaunay(2, 1, 12, 3));
   const Positions pose = wavy(rest);
@@ -85,16 +86,15 @@ TEST_CASE("shape error: nothing is left after the best turn about the vertical, 
     CHECK_THAT(left(nearest_turn(reference, pose, share, centre, -up)), WithinAbs(0, rounding));
     CHECK_THAT(left(nearest_motion(reference, pose, share)), WithinAbs(0, rounding));
   }
-  // What no turn about the vertical mends: one about another axis through the centre, but a rigid motion
-  // does.
+  // No turn about the vertical removes a turn about another axis through the centre, but a rigid motion does.
   const Positions tilted = turned(pose, 0.5, Vector3::UnitX(), centre);
   CHECK(shape_error(pose, nearest_turn(tilted, pose, share, centre, up).moved(tilted), share).rms > 0.1);
   CHECK_THAT(shape_error(pose, nearest_motion(tilted, pose, share).moved(tilted), share).rms,
              WithinAbs(0, rounding));
 }
 
-TEST_CASE("shape error: the best turn is better than its neighbours", "[metrics]") {
-  // Of a pose that is not a turned copy, by comparison with turns to both sides of it.
+TEST_CASE("shape error: the best turn is better than slightly larger and smaller turns", "[metrics]") {
+  // The pose is not just a turned copy.
   const RestMesh rest(delaunay(1, 1, 10, 5));
   const Positions pose = wavy(rest);
   const Positions other = turned(1.2 * rest.positions(), 0.7, Vector3(1, 2, 3).normalized(), {0, 0, 0});
@@ -106,12 +106,14 @@ TEST_CASE("shape error: the best turn is better than its neighbours", "[metrics]
     CHECK(shape_error(pose, turned(best, angle, down, centre), share).rms > rms);
 }
 
-TEST_CASE("shape error: two spheres are as far apart as their radii", "[metrics]") {
+TEST_CASE("shape error: the distance of two concentric spheres is the difference of their radii",
+          "[metrics]") {
   const double radius = 0.5, apart = 0.03;
   const TriangleMesh small = sphere(radius, 10), large = sphere(radius + apart, 14);
-  // A vertex of the large one lies at most the sagitta farther from the small one's flat triangles: one with
-  // edges of up to e has its middle e²/6r below the sphere. An octahedron's edge is √2 r long, a tenth of it
-  // in the middle of a face, which is r/√3 from the centre, becomes √3 times as long as it is blown up.
+  // Triangles are flat, so a vertex of the large sphere may be farther from the small mesh by the sagitta:
+  // the middle of a triangle with edges of up to e is e²/6r below the sphere. The edges come from an
+  // octahedron with edges of √2 r, divided into ten. In the middle of its face, r/√3 from the centre,
+  // projection on the sphere makes them √3 times as long.
   const double edge = std::numbers::sqrt2 * std::numbers::sqrt3 * radius / 10,
                sagitta = edge * edge / 6 / radius;
   const double distance = hausdorff_distance(small, large);
@@ -121,21 +123,21 @@ TEST_CASE("shape error: two spheres are as far apart as their radii", "[metrics]
   CHECK_THAT(hausdorff_distance(small, small), WithinAbs(0, rounding));
 }
 
-TEST_CASE("shape error: a surface that reaches farther than the other is seen from both sides", "[metrics]") {
-  // The wide sheet holds the narrow one: only seen from the wide one is there a distance, 0.5 at its short
+TEST_CASE("shape error: distances are measured in both directions, so a larger surface counts", "[metrics]") {
+  // The wide sheet contains the narrow sheet. Only points of the wide sheet have a distance, 0.5 at its short
   // sides.
   const TriangleMesh wide = grid(2, 1, 10, 5), narrow = grid(1, 1, 7, 7);
   CHECK_THAT(hausdorff_distance(wide, narrow), WithinAbs(0.5, rounding));
   CHECK_THAT(hausdorff_distance(narrow, wide), WithinAbs(0.5, rounding));
-  TriangleMesh lonely = narrow;  // a vertex in no triangle is no part of the surface
+  TriangleMesh lonely = narrow;  // vertices in no triangle do not belong to the surface
   lonely.positions.conservativeResize(lonely.positions.rows() + 1, 3);
   lonely.positions.bottomRows(1) << 9, 9, 9;
   CHECK_THAT(hausdorff_distance(lonely, narrow), WithinAbs(0, rounding));
   CHECK_THROWS_AS(hausdorff_distance(wide, TriangleMesh{}), std::invalid_argument);
 }
 
-TEST_CASE("shape error: the strain of a stretched sheet", "[metrics]") {
-  // F = diag(s, 1), E = diag((s² - 1)/2, 0) in every triangle, whichever way its sides run.
+TEST_CASE("shape error: the strain of a stretched and of a sheared sheet is right", "[metrics]") {
+  // F = diag(s, 1) and E = diag((s² - 1)/2, 0) in every triangle, for any direction of its sides.
   const RestMesh rest(delaunay(2, 1, 12, 3));
   for (const double s : {0.9, 1.05, 2.0}) {
     Positions stretched = rest.positions();
@@ -150,7 +152,7 @@ TEST_CASE("shape error: the strain of a stretched sheet", "[metrics]") {
   Positions sheared = rest.positions();
   sheared.col(0) += 0.2 * rest.positions().col(1);
   CHECK_THAT(strain_error(rest, sheared), WithinRel(std::sqrt(2 * 0.1 * 0.1 + 0.02 * 0.02), 1e-10));
-  // Half of the area stretched: the root of half the square.
+  // If half of the area is stretched, the result is the root of half the square.
   Positions half = rest.positions();
   const RestMesh even(grid(2, 1, 8, 4));
   half = even.positions();
@@ -159,7 +161,7 @@ TEST_CASE("shape error: the strain of a stretched sheet", "[metrics]") {
   CHECK_THAT(strain_error(even, half), WithinRel(1.5 / std::sqrt(2), 1e-10));
 }
 
-TEST_CASE("box tree: the nearest element is that of a search through all", "[mesh]") {
+TEST_CASE("box tree: the nearest element agrees with a search through all elements", "[mesh]") {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> anywhere(-1, 1);
   Positions points(57, 3);

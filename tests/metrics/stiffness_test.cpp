@@ -1,4 +1,5 @@
-// The truth here is a shape: the curve of a strip whose stiffness is known, with a mesh laid on it.
+// Meshes are laid on the curve of a strip whose stiffness is known, and the stiffness is measured from this
+// shape.
 #include "bendlab/metrics/stiffness.hpp"
 
 #include <Eigen/Geometry>
@@ -24,8 +25,8 @@ struct CurvePoint {
   double gamma, reach, drop;  // Γ, W/L, H/L
 };
 
-// Ten rows of the curve computed for this project by collocation (scipy's solve_bvp, tolerance 1e-10), which
-// agrees with shooting by DOP853 to ten digits.
+// Ten rows of the curve, computed for this project by collocation (scipy's solve_bvp, tolerance 1e-10).
+// Shooting with DOP853 agrees to ten digits.
 constexpr CurvePoint linear_curve[] = {
     {1.00000000e-02, 0.9999991071, 0.0012499984}, {5.01187234e-02, 0.9999775736, 0.0062646437},
     {1.99526231e-01, 0.9996448313, 0.0249283786}, {1.00000000e+00, 0.9912463953, 0.1234714020},
@@ -34,8 +35,8 @@ constexpr CurvePoint linear_curve[] = {
     {1.99526231e+03, 0.0322767134, 0.9867209813}, {1.00000000e+04, 0.0142608898, 0.9941099339},
 };
 
-// Ten rows of the curve of m = C κ³ (θ'³' = -Γ (1 - s) cos θ), computed by shooting with DOP853; minimising
-// the energy of a chain of 400 links agrees to five digits. From Γ = 178 on the free end hangs exactly
+// Ten rows of the curve of m = C κ³ (θ'³' = -Γ (1 - s) cos θ), computed by shooting with DOP853. The minimum
+// of the energy of a chain of 400 links agrees to five digits. From Γ = 178 on, the free end hangs exactly
 // straight.
 constexpr CurvePoint cubic_curve[] = {
     {1.00000000e-03, 0.9994551293, 0.0297509922}, {1.00000000e-02, 0.9974757815, 0.0639965627},
@@ -45,8 +46,9 @@ constexpr CurvePoint cubic_curve[] = {
     {1.00000000e+05, 0.0710349236, 0.9641622489}, {1.00000000e+06, 0.0396239115, 0.9799786779},
 };
 
-// The middle line of a strip of length 1 and m = κ^p / Γ under unit weight, by the midpoint rule from the
-// clamp on, with the clamp's moment found by bisection: neither the method nor the direction of the program.
+// The middle line of a strip of length 1 with m = κ^p / Γ under unit weight. It is integrated by the midpoint
+// rule from the clamp on, and bisection finds the moment at the clamp. The program uses another method and
+// the other direction.
 struct Curve {
   std::vector<double> x, z;  // at equal steps of s, z downward
 
@@ -79,7 +81,7 @@ Curve integrated(double gamma, double p, double clamp_moment, double& end_moment
 }
 
 Curve heavy_curve(double gamma, double p) {
-  double low = 0, high = 0.5, end = 0;  // the moment of a strip that stays horizontal is 1/2
+  double low = 0, high = 0.5, end = 0;  // the moment of a horizontal strip is 1/2
   for (int halving = 0; halving < 60; ++halving) {
     const double middle = 0.5 * (low + high);
     integrated(gamma, p, middle, end);
@@ -88,15 +90,15 @@ Curve heavy_curve(double gamma, double p) {
   return integrated(gamma, p, 0.5 * (low + high), end);
 }
 
-// A strip of free length 1 whose clamp's edge is at x = 0.
+// A strip of free length 1. The edge of its clamp is at x = 0.
 struct Strip {
   std::string name;
   RestMesh rest;
   std::vector<char> pinned;
 };
 
-// `edge` of the clamp and `last` pinned vertices as x from the mesh's left end; the free end zigzags by
-// `zigzag`.
+// `edge` of the clamp and `last` pinned vertices are x coordinates from the left end of the mesh. The free
+// end zigzags by `zigzag`.
 Strip strip(std::string name, TriangleMesh mesh, double edge, double last, double zigzag = 0) {
   auto x = mesh.positions.col(0).array();
   x -= x.minCoeff() + edge;
@@ -108,8 +110,8 @@ Strip strip(std::string name, TriangleMesh mesh, double edge, double last, doubl
   return result;
 }
 
-// The same strip on every kind of mesh, about 48 edges long. Clamped where the rows are along it, a lattice
-// has an edge that zigzags by half an edge, as its free end does.
+// The same strip on every kind of mesh, about 48 edges long. If the rows of a lattice run along the strip,
+// the edge of the clamp and the free end zigzag by half an edge.
 std::vector<Strip> strips() {
   constexpr double cell = 1.0 / 50, along = 1.0 / 50, across = 1.0 / 44,
                    row = across * std::numbers::sqrt3 / 2;
@@ -144,9 +146,9 @@ std::string refusal(const RestMesh& rest, std::vector<int> pins, int ring,
 
 }  // namespace
 
-TEST_CASE("curves of the hanging strip", "[stiffness]") {
-  // The tables have ten decimals: 4e-8 of the smallest drop, and the cubic law's Γ goes with up to the fourth
-  // power.
+TEST_CASE("the curves of the hanging strip agree with tables and asymptotes", "[stiffness]") {
+  // The tables have ten decimals, 4e-8 of the smallest drop. Γ of the cubic law depends on up to the fourth
+  // power of the drop.
   for (const CurvePoint& point : linear_curve) {
     const HangingStrip strip = hanging_strip(BendingLaw::linear, point.drop / point.reach);
     CHECK_THAT(strip.gamma, WithinRel(point.gamma, 1e-6));
@@ -157,12 +159,12 @@ TEST_CASE("curves of the hanging strip", "[stiffness]") {
     CHECK_THAT(strip.gamma, WithinRel(point.gamma, 1e-6));
     CHECK_THAT(strip.reach, WithinRel(point.reach, 1e-6));
   }
-  // ASTM D1388: a strip whose chord falls by 41.5° is twice its bending length long, Γ = 8; exactly 8.0042.
+  // ASTM D1388: a strip whose chord falls by 41.5° is twice as long as its bending length, so Γ = 8 (exactly
+  // 8.0042).
   CHECK_THAT(hanging_strip(BendingLaw::linear, std::tan(41.5 * std::numbers::pi / 180)).gamma,
              WithinAbs(8.004, 0.005));
-  // Small loads: H/L = Γ/8 and (3/8) (Γ/2)^(1/3), the next order is of the size (H/W)². Large loads: the
-  // moment only acts at the clamp, H/W = √(Γ/2) and W/L = 1.2408 Γ^(-1/4), the next order of the size 1 /
-  // (H/W).
+  // For small loads H/L = Γ/8 and (3/8) (Γ/2)^(1/3); the next order is about (H/W)². For large loads the
+  // moment acts only at the clamp, H/W = √(Γ/2) and W/L = 1.2408 Γ^(-1/4); the next order is about 1 / (H/W).
   for (const double ratio : {1e-5, 1e-3}) {
     CHECK_THAT(hanging_strip(BendingLaw::linear, ratio).gamma, WithinRel(8 * ratio, 1e-5));
     CHECK_THAT(hanging_strip(BendingLaw::cubic, ratio).gamma,
@@ -172,7 +174,7 @@ TEST_CASE("curves of the hanging strip", "[stiffness]") {
                      limp_springs = hanging_strip(BendingLaw::cubic, 300);
   CHECK_THAT(std::sqrt(limp.gamma / 2), WithinRel(300, 0.01));
   CHECK_THAT(limp_springs.reach * std::pow(limp_springs.gamma, 0.25), WithinRel(1.2408, 0.005));
-  // The asymptotes' exponents.
+  // The exponents of the asymptotes.
   CHECK_THAT(amplification(BendingLaw::linear, 1e-3), WithinAbs(1, 1e-4));
   CHECK_THAT(amplification(BendingLaw::linear, 300), WithinAbs(2, 0.01));
   CHECK_THAT(amplification(BendingLaw::cubic, 1e-3), WithinAbs(3, 1e-4));
@@ -181,9 +183,9 @@ TEST_CASE("curves of the hanging strip", "[stiffness]") {
     CHECK_THROWS_AS(hanging_strip(BendingLaw::linear, outside), std::invalid_argument);
 }
 
-TEST_CASE("the curve of springs goes on smoothly where the free end begins to hang straight", "[stiffness]") {
-  // Around Γ = 178 the description of the free end changes; the curve's slope is between its neighbours'
-  // there, in steps that are small against its bend and large against the error 1e-7.
+TEST_CASE("the curve of springs is smooth where the free end begins to hang straight", "[stiffness]") {
+  // At Γ = 178 the free end is described differently. The slope there is still between the slopes on both
+  // sides. Steps are small enough for the bend of the curve and large compared with the error of 1e-7.
   double before = 0, last = 0;
   for (double ratio = 1.5; ratio < 2.6; ratio *= 1.002) {
     const double gamma = std::log(hanging_strip(BendingLaw::cubic, ratio).gamma);
@@ -202,7 +204,7 @@ TEST_CASE("a strip laid on the heavy elastica has its flexural rigidity", "[stif
       const StiffnessMeter meter(strip.rest, strip.pinned, unit_load);
       const StripStiffness stiffness = meter.measure(laid_on(curve, strip), {.exclude = 0.06});
       CHECK_THAT(stiffness.length, WithinRel(1, 1e-9));
-      // 50 chords for the curve, their middle off it by h²κ/8, leave a few thousandths.
+      // The curve is replaced by 50 chords, whose middle is off by h²κ/8. The error is a few thousandths.
       CHECK_THAT(stiffness.flexural_rigidity, WithinRel(1 / gamma, 0.005));
       CHECK_THAT(stiffness.fit.exponent, WithinAbs(1, 0.01));
       CHECK_THAT(stiffness.fit.rigidity, WithinRel(1 / gamma, 0.005));
@@ -210,7 +212,7 @@ TEST_CASE("a strip laid on the heavy elastica has its flexural rigidity", "[stif
   }
 }
 
-TEST_CASE("a strip laid on the curve of springs has their law", "[stiffness]") {
+TEST_CASE("a strip laid on the curve of springs has the cubic law of springs", "[stiffness]") {
   for (const double gamma : {1.0, 10.0, 100.0}) {
     const Curve curve = heavy_curve(gamma, 3);
     for (const Strip& strip : strips()) {
@@ -224,10 +226,10 @@ TEST_CASE("a strip laid on the curve of springs has their law", "[stiffness]") {
   }
 }
 
-// Rigid links between rows h = 1 / links apart, with the moment per width m = κ^p / Γ at each row, κ = turn /
-// h, the clamp's too: what hinges on rows of a lattice, or springs over two rows, are. Its balance follows
-// link by link from the free end; the angle there is the one that leaves the clamp horizontal. Angles of the
-// links, from the clamp on.
+// The angles of a chain of rigid links in equilibrium, from the clamp on. Rows are h = 1 / links apart. At
+// each row, also at the clamp, the moment per width is m = κ^p / Γ with κ = turn / h. Hinges on rows of a
+// lattice, or springs over two rows, behave like this. The equilibrium is computed link by link from the free
+// end, whose angle is such that the clamp is horizontal.
 std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row, double gamma, double p) {
   const int links = static_cast<int>(stiffness_of_row.size());
   const double h = 1.0 / links;
@@ -238,7 +240,7 @@ std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row
     for (int link = links - 1; link >= 0; --link) {
       angles[static_cast<std::size_t>(link)] = angle;
       moment +=
-          h * std::cos(angle) * h * (links - 1 - link + 0.5);  // the weight beyond, and half the link's own
+          h * std::cos(angle) * h * (links - 1 - link + 0.5);  // weight beyond the link, and half its own
       angle -= h * std::pow(moment * gamma / stiffness_of_row[static_cast<std::size_t>(link)], 1 / p);
     }
     (angle > 0 ? high : low) = 0.5 * (low + high);
@@ -246,7 +248,7 @@ std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row
   return angles;
 }
 
-// A grid laid on that chain, measured with the clamp half a row behind its edge.
+// The measured stiffness of a grid laid on this chain. The clamp acts half a row behind its edge.
 StripStiffness measured_chain(const std::vector<double>& stiffness_of_row, double gamma, double p) {
   const int links = static_cast<int>(stiffness_of_row.size());
   const double clamped = 2.0 / (links + 2);
@@ -263,25 +265,25 @@ StripStiffness measured_chain(const std::vector<double>& stiffness_of_row, doubl
   return StiffnessMeter(strip.rest, strip.pinned, unit_load).measure(shape, {.clamp_offset = 0.5 / links});
 }
 
-TEST_CASE("a chain of rigid links in balance gives back its hinges", "[stiffness]") {
+TEST_CASE("a chain of rigid links in equilibrium has the measured stiffness of its hinges", "[stiffness]") {
   for (const double p : {1.0, 3.0})
     for (const double gamma : {1.0, 10.0}) {
       INFO("p " << p << ", gamma " << gamma);
       const StripStiffness stiffness = measured_chain(std::vector<double>(25, 1.0), gamma, p);
-      // The moment is that of the chain's own weight, so the fit is exact, but for slices a hair off the
-      // rows.
+      // The moment comes from the weight of the chain, so the fit is exact, except that slices are slightly
+      // off the rows.
       CHECK_THAT(stiffness.fit.exponent, WithinAbs(p, 1e-5));
       CHECK_THAT(stiffness.fit.coefficient * gamma, WithinRel(1, 1e-5));
       CHECK(stiffness.fit.residual < 1e-5);
-      // Half a row behind the clamp's edge leaves an error of second order in h = 1/25; without it B and C
-      // are 8 and 15 % off.
+      // With the clamp half a row behind its edge, the error is of second order in h = 1/25. Without this
+      // offset, the errors of B and C are 8 and 15 %.
       CHECK_THAT((p == 1 ? stiffness.flexural_rigidity : stiffness.quartic) * gamma, WithinRel(1, 0.005));
     }
 }
 
-TEST_CASE("rows that take turns at being stiffer do not hide the law", "[stiffness]") {
-  // The chain of before with every second hinge 1.5 times as stiff: in series 1.2 on average, 2 % more as the
-  // geometric mean √1.5, and a residual of a fifth if each row stood for itself.
+TEST_CASE("the fit finds the law although every second row is stiffer", "[stiffness]") {
+  // The same chain with every second hinge 1.5 times as stiff. Hinges in series have a mean of 1.2; the
+  // geometric mean √1.5 is 2 % larger. If each row were fitted alone, the residual would be a fifth.
   constexpr int links = 49;
   std::vector<double> stiffness_of_row(links);
   for (int row = 0; row < links; ++row)
@@ -292,9 +294,9 @@ TEST_CASE("rows that take turns at being stiffer do not hide the law", "[stiffne
   CHECK(fit.residual < 0.01);
 }
 
-TEST_CASE("a strip that bends across too shows the bending along it", "[stiffness]") {
-  // Across: κ_y = 0.3 lowers the sides more than the middle, and with them every second row, which is an edge
-  // wider. Were the rows taken whole, the curvature along would jump by more than itself from row to row.
+TEST_CASE("bending across a strip does not change the measured bending along it", "[stiffness]") {
+  // κ_y = 0.3 lowers the sides more than the middle. Every second row is an edge wider, so its mean is lower.
+  // If whole rows were used, the measured curvature would jump by more than its value from row to row.
   const Curve curve = heavy_curve(1, 1);
   const auto all = strips();
   const Strip& strip = *std::ranges::find(all, "lattice, rows across", &Strip::name);
@@ -310,14 +312,14 @@ TEST_CASE("a strip that bends across too shows the bending along it", "[stiffnes
   CHECK(across.residual < 0.01);
 }
 
-TEST_CASE("stiffness does not depend on place, direction and units of length", "[stiffness]") {
+TEST_CASE("the measured stiffness does not depend on place, direction and unit of length", "[stiffness]") {
   const Curve curve = heavy_curve(10, 1);
   const Strip at_home = strip("", grid(1, 0.6, 26, 15), 2.0 / 26, 2.0 / 26);
   constexpr double unit = 0.02;  // m
   const Positions shape = laid_on(curve, at_home);
   const StripStiffness here = StiffnessMeter(at_home.rest, at_home.pinned, unit_load).measure(shape);
   CHECK_THAT(here.amplification, WithinAbs(1.2042, 1e-3));  // the table's slope at Γ = 10
-  // Rounding puts the vertices of a row to either side of it, in each direction to others.
+  // Rounding moves vertices of a row to either side of the row, and differently for each direction.
   for (const double angle : {1.1, 0.3, 0.7, 1.9, 2.3, 2.9}) {
     CAPTURE(angle);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3(1, 2, 3).normalized()).toRotationMatrix();
@@ -327,7 +329,7 @@ TEST_CASE("stiffness does not depend on place, direction and units of length", "
     const RestMesh rest({moved(at_home.rest.positions()), at_home.rest.triangles(), {}});
     const StripStiffness there =
         StiffnessMeter(rest, at_home.pinned, {0.2, 9.81 * turn * Vector3(0, 0, -1)}).measure(moved(shape));
-    constexpr double rounding = 1e-8;  // 10⁻¹⁶ · 3 m / 0.02 m, squared in a curvature
+    constexpr double rounding = 1e-8;  // 10⁻¹⁶ · 3 m / 0.02 m, squared for a curvature
     for (std::size_t i = 0; i < here.profile.size(); ++i)
       CHECK(there.profile.at(i).fitted == here.profile[i].fitted);
     CHECK_THAT(there.height_over_width, WithinRel(here.height_over_width, rounding));
@@ -340,9 +342,9 @@ TEST_CASE("stiffness does not depend on place, direction and units of length", "
   }
 }
 
-TEST_CASE("a clamp that gives way behind its edge makes a strip longer", "[stiffness]") {
-  // The curve of Γ = 1 begins a hundredth of its length behind the edge; without the offset B would be 4 %
-  // off.
+TEST_CASE("the offset of a clamp that acts behind its edge is added to the length", "[stiffness]") {
+  // The curve of Γ = 1 begins a hundredth of its length behind the edge. Without the offset the error of B
+  // would be 4 %.
   constexpr double offset = 0.01;
   const Curve curve = heavy_curve(1, 1);
   const Strip strip = strips().front();
@@ -355,12 +357,13 @@ TEST_CASE("a clamp that gives way behind its edge makes a strip longer", "[stiff
   const StiffnessMeter meter(strip.rest, strip.pinned, unit_load);
   const StripStiffness stiffness = meter.measure(shape, {.clamp_offset = offset});
   CHECK_THAT(stiffness.effective_length, WithinRel(1 + offset, 1e-12));
-  // The curve has dropped by κ offset² / 2 = 2e-5 at the edge, of a drop of 0.12.
+  // At the edge the curve has dropped by κ offset² / 2 = 2e-5, while its whole drop is 0.12.
   CHECK_THAT(stiffness.flexural_rigidity, WithinRel(std::pow(1 + offset, 3), 1e-3));
   CHECK(meter.height_over_width(shape, offset) == stiffness.height_over_width);
 }
 
-TEST_CASE("curvatures near rounding, the clamp and the free end are not fitted", "[stiffness]") {
+TEST_CASE("the fit leaves out curvatures near rounding, near the clamp and near the free end",
+          "[stiffness]") {
   const Strip strip = strips().front();
   const Positions shape = laid_on(heavy_curve(1, 1), strip);
   const auto fitted = [&](const StripOptions& options) {
@@ -373,14 +376,14 @@ TEST_CASE("curvatures near rounding, the clamp and the free end are not fitted",
   CHECK(fitted({}).front() < 0.03);
   CHECK(fitted({.exclude = 0.1}).front() > 0.1);
   CHECK(fitted({.exclude = 0.1}).back() < 0.9);
-  // At Γ = 1 the curvature goes from about 0.49 to 0 as (1 - s)²: a rounding of 0.12 h² / 80 leaves the first
-  // half.
+  // At Γ = 1 the curvature falls from about 0.49 to 0 like (1 - s)². A stated rounding of 0.12 h² / 80 leaves
+  // only the first half for the fit.
   const double row = 1.0 / 48;
   CHECK_THAT(fitted({.rounding = 0.12 * row * row / 80}).back(), WithinAbs(0.5, 0.03));
   CHECK(fitted({.rounding = 1}).empty());
 }
 
-TEST_CASE("what is no clamped strip is refused with what is missing", "[stiffness]") {
+TEST_CASE("a scene that is no clamped strip is refused with the reason", "[stiffness]") {
   const RestMesh rest(grid(1, 0.5, 16, 8));
   const auto left = select_vertices(rest, Place::left), right = select_vertices(rest, Place::right);
   std::vector<int> both = left;
@@ -402,12 +405,12 @@ TEST_CASE("what is no clamped strip is refused with what is missing", "[stiffnes
   CHECK_THAT(refusal(rest, left, 1, {0.2, Vector3::Zero()}), ContainsSubstring("no gravity"));
   CHECK_THAT(refusal(rest, left, 1, {0.2, Vector3(0, -9.81, 0)}), ContainsSubstring("flat and horizontal"));
   TriangleMesh tapered = rest.mesh();
-  tapered.positions.col(1).array() *= 0.55 - tapered.positions.col(0).array();  // 1.05 to 0.05 times as wide
-  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("a strip is equally wide"));
+  tapered.positions.col(1).array() *= 0.55 - tapered.positions.col(0).array();  // 1.05 to 0.05 wide
+  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("a strip has to be equally wide"));
 
   const StiffnessMeter meter(rest, make_pins(rest, left, 1).is_pinned, unit_load);
   Positions shape = rest.positions();
-  CHECK(std::isnan(meter.measure(shape).flexural_rigidity));  // it has not dropped
+  CHECK(std::isnan(meter.measure(shape).flexural_rigidity));  // the strip has not dropped
   CHECK(meter.measure(shape).fit.samples == 0);
   shape.row(rest.vertex_count() - 1).setConstant(std::nan(""));
   CHECK_THROWS_AS(meter.measure(shape), std::invalid_argument);

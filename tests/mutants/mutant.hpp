@@ -1,5 +1,5 @@
-// Which mutant is switched on. mutate.py writes calls of these into its copy of the sources; README.md there
-// says what for. The program itself never includes this file.
+// Which mutant is switched on. mutate.py writes calls of these functions into its copy of the sources, as
+// README.md in this folder explains. The program itself never includes this file.
 #pragma once
 
 #include <fcntl.h>
@@ -12,10 +12,11 @@
 namespace bendlab_mutants {
 
 inline constexpr std::size_t most = 4096;
-inline unsigned char* notes = nullptr;  // a byte for each mutant: 1 once it was evaluated
+inline unsigned char* notes = nullptr;  // a byte for each mutant: 1 after it was evaluated
 
-/// The number of the mutant that BENDLAB_MUTANT names; 0: none. If BENDLAB_MUTANTS_REACHED names a file, -1:
-/// the program is not changed, and says in that file which mutants it evaluates. Child processes add to it.
+/// The number of the mutant that BENDLAB_MUTANT names, or 0 if it names none. If BENDLAB_MUTANTS_REACHED
+/// names a file, -1: no mutant is switched on, and the program and its child processes record in the file
+/// which mutants they evaluate.
 inline int chosen() {
   if (const char* const path = std::getenv("BENDLAB_MUTANTS_REACHED")) {
     const int file = ::open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0644);
@@ -42,7 +43,7 @@ inline bool bendlab_mutant(int number) {
   return false;
 }
 
-/// `value`, with the other sign if asked: an expression of Eigen has another type with another sign.
+/// `value`, or -value if `flip`. (For an expression of Eigen, both have different types.)
 template <class Value>
 inline auto bendlab_flipped(bool flip, const Value& value) {
   if constexpr (requires { typename Value::PlainObject; }) {

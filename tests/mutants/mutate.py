@@ -1,10 +1,10 @@
-"""Does the test suite catch mistakes? Makes small ones (mutants), one at a time, and runs the tests on each.
+"""Does the test suite catch mistakes? Makes small mistakes (mutants), and runs the tests on each mutant.
 
     mutate.py [--seed 1] [--count 160] [--only FILE] [--list] [--report] …      README.md here explains
 
-All mutants are built at once, into one program that asks an environment variable which of them is switched
-on. A first run of every test notes which mutants it evaluates, so that a mutant is met by those tests only.
-Stopped at any moment, the same command goes on there.
+All mutants are built at once, into one program. An environment variable states which mutant is switched on.
+A first run of every test records the mutants that the test evaluates. Only these tests then run on a mutant.
+If the command is stopped, the same command continues from there.
 """
 import argparse
 import concurrent.futures
@@ -27,14 +27,14 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 
-# Mutants out of a hundred that each room gets.
+# Share of the mutants in each room, %.
 ROOMS = {"lib/bendlab/constraints": 12, "lib/bendlab/bending": 12, "lib/bendlab/effects": 12,
          "lib/bendlab/solver": 13, "lib/bendlab/mesh": 8, "lib/bendlab/metrics": 7, "lib/bendlab/io": 5,
          "experiments/measures": 10, "experiments/config": 9, "experiments/run": 7, "lib/bendlab/scene": 3,
          "experiments/campaign": 2}
-# How often an operator is taken where a line offers several.
+# Weight of an operator in the draw where a line offers several operators; 1 for all other operators.
 WEIGHTS = {"early return": 0.3, "removal": 0.8, "boundary": 0.6}
-# Tests that never run the program, or only measure its speed, or kill it; and those built once more.
+# Tests that never run the program, or only measure its speed, or kill it; and tests that are built twice.
 NOT_RUN = (r"^(generic x86-64:.*|install|trust_kills|trust_workers|performance|analysis|claim_map|where|"
            r"map_rules|stated_numbers)$")
 
@@ -44,7 +44,7 @@ def say(*words):
 
 
 class Work:
-    """The folder that everything is in: the copy of the sources, its build, what was found so far."""
+    """The folder of all files: the copy of the sources, its build, the results so far."""
 
     def __init__(self, options):
         self.folder = Path(options.work).resolve()
@@ -66,13 +66,12 @@ class Work:
 # ---- the copy
 
 def copy(root, tree, names=None):
-    """The files that git knows or would add. A file that is the same keeps its time, so nothing is built
-    again."""
+    """Copies the files that git knows or would add. An unchanged file keeps its time, so is not rebuilt."""
     if names is None:
         listed = subprocess.run(
             ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
             cwd=root, check=True, capture_output=True).stdout
-        names = [each.decode() for each in listed.split(b"\0") if each]
+        names = [name.decode() for name in listed.split(b"\0") if name]
     for name in names:
         source, target = root / name, tree / name
         if source.is_file() and not (target.exists() and target.read_bytes() == source.read_bytes()):
@@ -83,10 +82,10 @@ def copy(root, tree, names=None):
 # ---- choosing
 
 def sources(tree, room, only):
-    found = sorted(file for file in (tree / room).rglob("*.[ch]pp") if file.is_file())
+    files = sorted(file for file in (tree / room).rglob("*.[ch]pp") if file.is_file())
     if only:
-        found = [file for file in found if str(file.relative_to(tree)) in only or file.name in only]
-    return found
+        files = [file for file in files if str(file.relative_to(tree)) in only or file.name in only]
+    return files
 
 
 def code_lines(file):
@@ -96,14 +95,14 @@ def code_lines(file):
 
 
 def compile_flags(work, file):
-    """What libclang needs of the flags of the file, or of another one of its folder (a header, a unity
-    build)."""
-    commands = [each for each in json.loads((work.build / "compile_commands.json").read_text())
-                if "generic" not in each["command"]]
-    own = [each for each in commands if each["file"] == str(file)]
+    """The compiler flags that libclang needs for the file. A header, and a file in a unity build, takes the
+    flags of another file in the same folder."""
+    entries = [entry for entry in json.loads((work.build / "compile_commands.json").read_text())
+               if "generic" not in entry["command"]]
+    own = [entry for entry in entries if entry["file"] == str(file)]
     room = str(file.relative_to(work.tree)).split("/")[:2]
-    beside = [each for each in commands if "/".join(room) in each["file"]
-              or (room[0] == "experiments" and "bendlab_experiments.dir" in each["command"])]
+    beside = [entry for entry in entries if "/".join(room) in entry["file"]
+              or (room[0] == "experiments" and "bendlab_experiments.dir" in entry["command"])]
     words = shlex.split((own or beside)[0]["command"])
     flags, system = [], []
     for at, word in enumerate(words):
@@ -111,45 +110,45 @@ def compile_flags(work, file):
             flags.append(word)
         elif word == "-isystem":
             system += [word, words[at + 1]]
-    # Headers of a room see what its sources see.
-    for each in beside if file.suffix == ".hpp" else []:
-        other = shlex.split(each["command"])
-        system += [w for at, word in enumerate(other) if word == "-isystem" for w in (word, other[at + 1])]
+    # A header gets the system folders of all sources of its room.
+    for entry in beside if file.suffix == ".hpp" else []:
+        words = shlex.split(entry["command"])
+        system += [w for at, word in enumerate(words) if word == "-isystem" for w in (word, words[at + 1])]
     return flags + system + ["-x", "c++", "-w"]
 
 
 def candidates(work, file):
-    """All changes that the file offers; found once, as libclang takes seconds."""
+    """All possible changes of the file. They are searched once and kept, as libclang takes seconds."""
     from sites import Finder
-    finder = HERE / "sites.py"
-    key = hashlib.sha256(file.read_bytes() + finder.read_bytes()).hexdigest()[:16]
+    script = HERE / "sites.py"
+    key = hashlib.sha256(file.read_bytes() + script.read_bytes()).hexdigest()[:16]
     kept = work.folder / "sites" / f"{file.name}.{key}.json"
     if not kept.exists():
         kept.parent.mkdir(exist_ok=True)
-        kept.write_text(json.dumps(Finder(file, compile_flags(work, file)).found, ensure_ascii=False))
+        kept.write_text(json.dumps(Finder(file, compile_flags(work, file)).mutants, ensure_ascii=False))
     return json.loads(kept.read_text())
 
 
-def overlap(one, other):
-    return one["file"] == other["file"] and any(
-        a[0] < b[1] and b[0] < a[1] or a[0] == b[0] for a in one["edits"] for b in other["edits"])
+def overlap(left, right):
+    return left["file"] == right["file"] and any(
+        a[0] < b[1] and b[0] < a[1] or a[0] == b[0] for a in left["edits"] for b in right["edits"])
 
 
-def draw(chance, lines, found):
-    """A line of code by chance, then one of the changes that begin there."""
+def draw(chance, lines, changes_of):
+    """Draws a line of code at random, then a change that begins in this line."""
     file, number = chance.choice(lines)
-    there = [each for each in found(file) if each["line"] == number]
-    if not there:
+    changes = [change for change in changes_of(file) if change["line"] == number]
+    if not changes:
         return None
-    kinds = sorted({each["operator"] for each in there})
-    kind = chance.choices(kinds, [WEIGHTS.get(each, 1) for each in kinds])[0]
-    return file, chance.choice([each for each in there if each["operator"] == kind])
+    operators = sorted({change["operator"] for change in changes})
+    operator = chance.choices(operators, [WEIGHTS.get(name, 1) for name in operators])[0]
+    return file, chance.choice([change for change in changes if change["operator"] == operator])
 
 
 def choose(work, options):
     chance = random.Random(options.seed)
     chosen = []
-    found = lambda file: candidates(work, file)  # noqa: E731
+    changes_of = lambda file: candidates(work, file)  # noqa: E731
     total = sum(ROOMS.values())
     for room, share in ROOMS.items():
         files = sources(work.tree, room, options.only)
@@ -160,11 +159,11 @@ def choose(work, options):
         mine, tries = [], 0
         while len(mine) < wanted and tries < 40 * wanted:
             tries += 1
-            drawn = draw(chance, lines, found)
+            drawn = draw(chance, lines, changes_of)
             if drawn is None:
                 continue
             mutant = {"room": room, "file": str(drawn[0].relative_to(work.tree)), **drawn[1]}
-            if not any(overlap(mutant, each) for each in mine):
+            if not any(overlap(mutant, earlier) for earlier in mine):
                 mine.append(mutant)
                 say(
                     f"{room}: {len(mine)} of {wanted}  {mutant['file']}:{mutant['line']} "
@@ -178,7 +177,7 @@ def choose(work, options):
 # ---- rewriting and building
 
 def rewritten(original, mutants, header):
-    """The file's bytes with all these mutants in it, and for each of its lines the numbers of its mutants."""
+    """The bytes of the file with all these mutants, and for each line the numbers of its mutants."""
     from sites import ON
     text, last, owners = [b""], len(original), []
     edits = sorted(((*edit, mutant["number"])
@@ -197,17 +196,17 @@ def rewritten(original, mutants, header):
 
 
 def lay_out(work, mutants, keep_times=False):
-    """Writes the changed sources into the copy. Gives {file: {line: numbers}}. Where mutants were only taken
-    out, objects that did compile are still right: with the file's time kept they are not built again."""
+    """Writes the changed sources into the copy. Returns {file: {line: numbers}}. Objects that did compile are
+    still right where mutants were only taken out. Files that keep their time are not built again."""
     shutil.copy2(HERE / "mutant.hpp", work.folder / "mutant.hpp")
     header = work.folder / "mutant.hpp"
     places = {}
-    for name in sorted({each["file"] for each in mutants}):
+    for name in sorted({mutant["file"] for mutant in mutants}):
         target, kept = work.tree / name, work.folder / "originals" / name
         if not kept.exists():
             kept.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(target, kept)
-        mine = [each for each in mutants if each["file"] == name and not each.get("dropped")]
+        mine = [mutant for mutant in mutants if mutant["file"] == name and not mutant.get("dropped")]
         text, where = rewritten(kept.read_bytes(), mine, header) if mine else (kept.read_bytes(), {})
         places[str(target)] = where
         if target.read_bytes() != text:
@@ -233,22 +232,23 @@ def compile_all(work, options):
 
 
 def guilty(log, places):
-    """The mutants on the lines of the compiler's errors, or nearest above them; else of the notes to an
-    error."""
+    """The mutants that cause the compiler's errors. For each error: the mutants in its line, or in the
+    nearest line with mutants at most six lines above. Without such a line, the lines of the error's notes
+    count."""
     def mutants_at(path, line):
         where = places.get(os.path.normpath(path), {})
-        near = [each for each in where if int(line) - 6 <= each <= int(line)]
+        near = [number for number in where if int(line) - 6 <= number <= int(line)]
         return where[max(near)] if near else set()
 
     numbers = set()
     for error in re.split(r"^(?=\S+?:\d+:\d+: (?:fatal )?error)", log, flags=re.MULTILINE)[1:]:
         lines = re.findall(r"^(\S+?):(\d+):\d+: ", error, re.MULTILINE)
-        numbers |= next((found for found in (mutants_at(*each) for each in lines) if found), set())
+        numbers |= next((mutants for mutants in (mutants_at(*line) for line in lines) if mutants), set())
     return numbers
 
 
 def build(work, mutants, options):
-    """Builds, without the mutants that do not compile."""
+    """Builds the copy without the mutants that do not compile."""
     places = lay_out(work, mutants)
     while True:
         done, log = compile_all(work, options)
@@ -256,8 +256,8 @@ def build(work, mutants, options):
             return
         wrong = guilty(log, places)
         if not wrong:
-            raise SystemExit(f"the build failed, and not at a mutant: see {work.folder / 'build.log'}")
-        say(f"do not compile, left out: {sorted(wrong)}")
+            raise SystemExit(f"the build failed, not because of a mutant: see {work.folder / 'build.log'}")
+        say(f"mutants that do not compile are left out: {sorted(wrong)}")
         for mutant in mutants:
             if mutant["number"] in wrong:
                 mutant["dropped"] = True
@@ -268,7 +268,7 @@ def build(work, mutants, options):
 # ---- running tests
 
 def refresh(work, names):
-    """Copies test files anew, and forgets what is known of the tests in them."""
+    """Copies test files again, and drops the records of the tests in these files."""
     copy(ROOT, work.tree, names)
     titles = tuple(title for name in names
                    for title in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', (ROOT / name).read_text()))
@@ -278,13 +278,13 @@ def refresh(work, names):
 
 
 def tests_of(work, options):
-    shown = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1"], check=True,
-                           capture_output=True).stdout
+    listed = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1"], check=True,
+                            capture_output=True).stdout
     tests = {}
-    for each in json.loads(shown)["tests"]:
-        if "command" in each and not re.search(options.without or NOT_RUN, each["name"]):
-            place = [one["value"] for one in each["properties"] if one["name"] == "WORKING_DIRECTORY"]
-            tests[each["name"]] = (each["command"], place[0] if place else str(work.build))
+    for test in json.loads(listed)["tests"]:
+        if "command" in test and not re.search(options.without or NOT_RUN, test["name"]):
+            place = [entry["value"] for entry in test["properties"] if entry["name"] == "WORKING_DIRECTORY"]
+            tests[test["name"]] = (test["command"], place[0] if place else str(work.build))
     return tests
 
 
@@ -295,7 +295,7 @@ def limits():
 
 
 def run_test(test, seconds, **more):
-    """(outcome, seconds, last lines of output); the outcome is passed, failed, crashed or timeout."""
+    """Returns (outcome, seconds, end of the output); the outcome is passed, failed, crashed or timeout."""
     command, place = test
     start = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mutant-", ignore_cleanup_errors=True) as scratch, \
@@ -319,51 +319,52 @@ def run_test(test, seconds, **more):
 
 
 def measure(work, tests, options):
-    """Runs every test on the unchanged program. {name: (seconds, numbers of the mutants it evaluates)}"""
-    known = {each["test"]: each for each in work.lines("tests.jsonl")}
+    """Runs every test on the unchanged program. Returns {name of a test that passes: its row}, with the
+    duration ("seconds") and the numbers of the mutants that the test evaluates ("reached")."""
+    known = {row["test"]: row for row in work.lines("tests.jsonl")}
 
-    def one(name):
-        with tempfile.NamedTemporaryFile() as notes:
-            outcome, seconds, output = run_test(tests[name], 900, BENDLAB_MUTANTS_REACHED=notes.name)
-            reached = [number for number, byte in enumerate(Path(notes.name).read_bytes()) if byte]
+    def measure_test(name):
+        with tempfile.NamedTemporaryFile() as file:
+            outcome, seconds, output = run_test(tests[name], 900, BENDLAB_MUTANTS_REACHED=file.name)
+            reached = [number for number, byte in enumerate(Path(file.name).read_bytes()) if byte]
         row = {"test": name, "outcome": outcome, "seconds": round(seconds, 3), "reached": reached,
                "at": time.time()}
         if outcome != "passed":
             row["output"] = output
-            say(f"fails without a mutant, not used: {name}")
+            say(f"this test fails without a mutant, and is not used: {name}")
         known[name] = row
         work.add_line("tests.jsonl", row)
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        list(pool.map(one, [name for name in tests if name not in known]))
+        list(pool.map(measure_test, [name for name in tests if name not in known]))
     return {name: known[name] for name in tests if known[name]["outcome"] == "passed"}
 
 
 def judge(mutant, tests, measured, before, options):
-    """Runs the tests that evaluate the mutant, quick ones first, up to the first that notices it."""
+    """Runs the tests that evaluate the mutant, quick tests first, until a test notices the mutant."""
     number = mutant["number"]
     able = sorted(
         (row for row in measured.values() if number in row["reached"]),
         key=lambda row: row["seconds"])
     slow = [row["test"] for row in able if row["seconds"] > options.slow]
     row = {"number": number, "reached_by": len(able), "left_out": slow, "at": time.time()}
-    # Tests that it has survived before, and that are as they were.
-    known = {each["test"] for each in able if each["at"] <
+    # Unchanged tests that the mutant has survived before.
+    known = {test["test"] for test in able if test["at"] <
         before.get("at", 0)} & set(before.get("passed", []))
     start = time.monotonic()
-    for each in able:
-        if each["test"] in slow or each["test"] in known:
+    for test in able:
+        if test["test"] in slow or test["test"] in known:
             continue
-        name, limit = each["test"], 15 + 10 * each["seconds"]
+        name, limit = test["test"], 15 + 10 * test["seconds"]
         outcome, _, output = run_test(tests[name], limit, BENDLAB_MUTANT=str(number))
-        if outcome == "timeout":  # or was the machine paused?
+        if outcome == "timeout":  # the machine may have been paused
             outcome, _, output = run_test(tests[name], limit, BENDLAB_MUTANT=str(number))
-        # A test that fails by itself, on a loaded machine, notices nothing.
+        # If the test also fails without the mutant (on a loaded machine), it has not noticed the mutant.
         if outcome != "passed" and run_test(tests[name], 5 * limit, BENDLAB_MUTANT="0")[0] == "passed":
             row |= {"killed_by": name, "how": outcome, "output": output[-400:]}
             break
     else:
-        row["passed"] = [each["test"] for each in able if each["test"] not in slow]
+        row["passed"] = [test["test"] for test in able if test["test"] not in slow]
     row["seconds"] = round(time.monotonic() - start, 1)
     row["verdict"] = "killed" if "killed_by" in row else "survived" if able else "not reached"
     return row
@@ -374,28 +375,28 @@ def run_all(work, mutants, options):
     say(f"{len(tests)} tests")
     measured = measure(work, tests, options)
     results = latest(work)
-    done = {each["number"] for each in results.values()
-            if not (options.again and each["verdict"] != "killed")}
-    left = [each for each in mutants if not each.get("dropped") and each["number"] not in done
-            and (not options.numbers or each["number"] in options.numbers)]
+    done = {result["number"] for result in results.values()
+            if not (options.again and result["verdict"] != "killed")}
+    left = [mutant for mutant in mutants if not mutant.get("dropped") and mutant["number"] not in done
+            and (not options.numbers or mutant["number"] in options.numbers)]
 
-    def one(mutant):
+    def judge_and_record(mutant):
         row = judge(mutant, tests, measured, results.get(mutant["number"], {}), options)
         work.add_line("results.jsonl", row)
         say(f"{row['verdict']:11} {describe(mutant)}   {row['seconds']} s   {row.get('killed_by', '')}")
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        list(pool.map(one, left))
+        list(pool.map(judge_and_record, left))
 
 
-# ---- telling
+# ---- reporting
 
 def describe(mutant):
     return f"{mutant['number']:4} {mutant['file']}:{mutant['line']} {mutant['operator']}: {mutant['what']}"
 
 
 def latest(work):
-    return {each["number"]: each for each in work.lines("results.jsonl")}
+    return {row["number"]: row for row in work.lines("results.jsonl")}
 
 
 def report(work, mutants):
@@ -409,7 +410,7 @@ def report(work, mutants):
     print("| room | mutants | killed |\n|---|---|---|")
     for room, (count, killed) in rows.items():
         print(f"| `{room}` | {count} | {killed} |")
-    count, killed = (sum(each[at] for each in rows.values()) for at in (0, 1))
+    count, killed = (sum(row[at] for row in rows.values()) for at in (0, 1))
     print(f"| all | {count} | {killed} ({100 * killed / max(1, count):.1f} %) |\n")
     for mutant in mutants:
         result = results.get(mutant["number"])
@@ -423,23 +424,23 @@ def parsed(arguments):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     add = parser.add_argument
-    add("--seed", type=int, default=1, help="of the choice of mutants (default %(default)s)")
+    add("--seed", type=int, default=1, help="seed of the choice of mutants (default %(default)s)")
     add("--count", type=int, default=160, help="mutants to choose (default %(default)s)")
-    add("--only", action="append", help="a source file, by name or path: all mutants in it; may be repeated")
-    add("--list", action="store_true", help="print the mutants, and neither build nor run")
-    add("--report", action="store_true", help="print what was found so far")
-    add("--again", action="store_true", help="run the survivors once more: after tests were added")
-    add("--numbers", type=lambda text: [int(each) for each in text.split(",")],
-        help="run these mutants only: 3,17")
-    add("--refresh", nargs="+", metavar="FILE", help="copy these files (tests) anew before building")
+    add("--only", action="append", help="take all mutants from this file (name or path); may be repeated")
+    add("--list", action="store_true", help="print the mutants; do not build or run them")
+    add("--report", action="store_true", help="print the results so far")
+    add("--again", action="store_true", help="run the survivors again, after tests were added")
+    add("--numbers", type=lambda text: [int(number) for number in text.split(",")],
+        help="run only the mutants with these numbers, as 3,17")
+    add("--refresh", nargs="+", metavar="FILE", help="copy these test files again before building")
     add("--slow", type=float, default=20, help="leave out tests longer than this, in s (default %(default)s)")
-    add("--without", help="leave out the tests that this regular expression finds, instead of the usual ones")
-    add("--jobs", type=int, default=2, help="tests at once (default %(default)s)")
-    add("--build-jobs", type=int, default=2, help="compilers at once (default %(default)s)")
-    add("--work", default=str(ROOT / "build" / "mutants"), help="folder for everything (default %(default)s)")
+    add("--without", help="leave out the tests that this regular expression finds, not the default list")
+    add("--jobs", type=int, default=2, help="tests that run at the same time (default %(default)s)")
+    add("--build-jobs", type=int, default=2, help="compilers that run at the same time (default %(default)s)")
+    add("--work", default=str(ROOT / "build" / "mutants"), help="folder of all files (default %(default)s)")
     add("--tree", help="an existing copy of the sources (default: made in the folder)")
-    add("--build", help="its build folder (default: made in the folder)")
-    add("--no-build", action="store_true", help="the build is up to date")
+    add("--build", help="the build folder of this copy (default: made in the folder)")
+    add("--no-build", action="store_true", help="do not build: the build is up to date")
     return parser.parse_args(arguments)
 
 

@@ -1,7 +1,7 @@
-"""Where a source file can be changed, and how: finds the expressions and statements of a file with libclang.
+"""Finds the possible changes (mutants) of a source file: reads its expressions and statements with libclang.
 
-A change (a mutant) is a dict: operator, line, what (old and new text, for people), function, edits. An edit
-is [begin, end, text]: these bytes of the file become that text, in which ON stands for the question whether
+A mutant is a dict: operator, line, what (old and new text, for the reader), function, edits. An edit is
+[begin, end, text]: the text replaces these bytes of the file. In the text, ON stands for the condition that
 the mutant is switched on.
 """
 import glob
@@ -28,24 +28,24 @@ VALUES = FLOATING | INTEGRAL | DEPENDENT | {T.VECTOR, T.EXTVECTOR}
 
 FUNCTIONS = {K.FUNCTION_DECL, K.CXX_METHOD, K.CONSTRUCTOR, K.DESTRUCTOR, K.FUNCTION_TEMPLATE,
              K.CONVERSION_FUNCTION}
-# What has to be known at compile time, and what does not run.
+# Expressions that must be known at compile time, and declarations that do not run.
 CONSTANT = {K.STATIC_ASSERT, K.ENUM_DECL, K.TYPE_ALIAS_DECL, K.TYPEDEF_DECL, K.PARM_DECL, K.CXX_UNARY_EXPR,
             K.TEMPLATE_NON_TYPE_PARAMETER, K.TEMPLATE_TYPE_PARAMETER, K.FIELD_DECL}
 WRAPPERS = {K.UNEXPOSED_EXPR, K.PAREN_EXPR}
 
 
 def load_library():
-    """libclang, of the version that the Python package is for if it stands where Debian puts it."""
+    """Loads libclang. If Debian's libclang 15 to 19 is installed, takes this library."""
     if clang.Config.loaded:
         return
-    found = sorted(glob.glob("/usr/lib/x86_64-linux-gnu/libclang-1[5-9].so.1")
-                   or glob.glob("/usr/lib/llvm-*/lib/libclang.so.1"))
-    if found:
-        clang.Config.set_library_file(found[-1])
+    libraries = sorted(glob.glob("/usr/lib/x86_64-linux-gnu/libclang-1[5-9].so.1")
+                       or glob.glob("/usr/lib/llvm-*/lib/libclang.so.1"))
+    if libraries:
+        clang.Config.set_library_file(libraries[-1])
 
 
 class Finder:
-    """The changes of one file. A libclang cursor's extent is in bytes."""
+    """The possible changes of one file. libclang gives the extent of a cursor in bytes."""
 
     def __init__(self, path, flags):
         load_library()
@@ -53,16 +53,16 @@ class Finder:
         self.source = path.read_bytes()
         unit = clang.Index.create().parse(self.path, args=flags,
                                           options=clang.TranslationUnit.PARSE_DETAILED_PROCESSING_RECORD)
-        wrong = [str(each) for each in unit.diagnostics if each.severity >= clang.Diagnostic.Error]
-        if wrong:
-            raise SystemExit(f"libclang cannot read {path} (versions 15 and later read C++20): {wrong[0]}")
-        self.found = []
-        here = [each for each in unit.cursor.get_children() if self.is_here(each)]
-        self.macros = [self.extent(each) for each in here if each.kind == K.MACRO_INSTANTIATION
-                       and not each.spelling.endswith("_INLINE")]
-        for each in here:
-            if each.kind not in (K.MACRO_INSTANTIATION, K.MACRO_DEFINITION, K.INCLUSION_DIRECTIVE):
-                self.visit(each, None, None)
+        errors = [str(note) for note in unit.diagnostics if note.severity >= clang.Diagnostic.Error]
+        if errors:
+            raise SystemExit(f"libclang cannot read {path} (versions 15 and later read C++20): {errors[0]}")
+        self.mutants = []
+        here = [cursor for cursor in unit.cursor.get_children() if self.is_here(cursor)]
+        self.macros = [self.extent(cursor) for cursor in here if cursor.kind == K.MACRO_INSTANTIATION
+                       and not cursor.spelling.endswith("_INLINE")]
+        for cursor in here:
+            if cursor.kind not in (K.MACRO_INSTANTIATION, K.MACRO_DEFINITION, K.INCLUSION_DIRECTIVE):
+                self.visit(cursor, None, None)
 
     def is_here(self, cursor):
         file = cursor.location.file
@@ -79,14 +79,14 @@ class Finder:
         return self.source.count(b"\n", 0, offset) + 1
 
     def tokens(self, cursor):
-        return [each.spelling for each in cursor.get_tokens()]
+        return [token.spelling for token in cursor.get_tokens()]
 
     # ---- the walk
 
     def visit(self, cursor, parent, function):
         try:
             kind = cursor.kind
-        except ValueError:  # concepts: the Python package knows no name for them
+        except ValueError:  # a concept, for which the Python package has no name
             return
         if kind in CONSTANT or (kind in FUNCTIONS and self.is_constexpr(cursor)):
             return
@@ -117,11 +117,11 @@ class Finder:
         if any(first < end and begin < last for first, last in self.macros):
             return
         old = " ".join(self.text(begin, end).split())
-        self.found.append({"operator": operator, "function": function or "", "line": self.line(begin),
-                           "what": f"{old[:90]}  →  {new[:90]}", "edits": edits})
+        self.mutants.append({"operator": operator, "function": function or "", "line": self.line(begin),
+                             "what": f"{old[:90]}  →  {new[:90]}", "edits": edits})
 
     def choice(self, operator, function, cursor, new):
-        """Instead of the expression, `new` (text) where the mutant is on."""
+        """Replaces the expression by the text `new` where the mutant is on."""
         begin, end = self.extent(cursor)
         self.add(operator, function, begin, end, " ".join(new.split()),
                  [[begin, end, f"({ON} ? ({new}) : ({self.text(begin, end)}))"]])
@@ -156,7 +156,8 @@ class Finder:
                     self.removal(child, function)
 
     def between(self, left, right):
-        """The operator between two operands, and where it stands; parentheses do not count."""
+        """The operator between two operands, its position, and the end of the left operand. The operator is
+        None if parentheses stand between the operands."""
         begin, end = self.extent(left)[1], self.extent(right)[0]
         match = re.fullmatch(r"\s*([-+*/<>=!&|]+)\s*", self.text(begin, end))
         return (match[1], begin + len(match[0][:match.start(1)].encode()), begin) if match else (None, 0, 0)
@@ -219,7 +220,7 @@ class Finder:
         self.choice("constant", function, cursor, new)
 
     def constant_variable(self, cursor, function):
-        """constexpr double limit = 3: a variable from now on, so that it can have two values."""
+        """Turns `constexpr double limit = 3` into a variable, so that it can have two values."""
         children = list(cursor.get_children())
         if not children or self.kind_of(cursor) not in FLOATING | INTEGRAL:
             return
@@ -326,7 +327,7 @@ class Finder:
     def early_return(self, cursor, function):
         if cursor.kind in (K.CONSTRUCTOR, K.DESTRUCTOR):
             return
-        bodies = [each for each in cursor.get_children() if each.kind == K.COMPOUND_STMT]
+        bodies = [child for child in cursor.get_children() if child.kind == K.COMPOUND_STMT]
         if not bodies:
             return
         kind = cursor.result_type.get_canonical().kind

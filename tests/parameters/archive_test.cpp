@@ -1,4 +1,4 @@
-// State that is written comes back to the bit.
+// State that is written is read back to the bit.
 #include "bendlab/parameters/archive.hpp"
 
 #include <limits>
@@ -45,7 +45,7 @@ Everything example() {
 
 }  // namespace
 
-TEST_CASE("archive: what is written is read", "[archive]") {
+TEST_CASE("archive: written values are read back", "[archive]") {
   Everything written = example(), read;
   Archive out;
   written.archive(out);
@@ -68,7 +68,7 @@ TEST_CASE("archive: what is written is read", "[archive]") {
   CHECK(again.bytes() == out.bytes());
 }
 
-TEST_CASE("archive: one that ends too early is an error, wherever", "[archive]") {
+TEST_CASE("archive: an archive that ends too early is an error, at any place", "[archive]") {
   Archive out;
   example().archive(out);
   for (std::size_t size = 0; size < out.bytes().size(); ++size) {
@@ -78,7 +78,7 @@ TEST_CASE("archive: one that ends too early is an error, wherever", "[archive]")
   }
 }
 
-TEST_CASE("archive: bytes that no value has are an error, or a value", "[archive]") {
+TEST_CASE("archive: invalid bytes give an error or a valid value", "[archive]") {
   const auto matrix_of = [](Eigen::Index rows, Eigen::Index columns) {
     Archive out;
     out(rows, columns);
@@ -91,7 +91,7 @@ TEST_CASE("archive: bytes that no value has are an error, or a value", "[archive
     return value;
   };
   CHECK(read(Eigen::MatrixXd(), matrix_of(2, 2)) == Eigen::MatrixXd::Ones(2, 2));
-  constexpr Eigen::Index half = Eigen::Index{1} << 32;  // the product of two is 0 in 64 bits
+  constexpr Eigen::Index half = Eigen::Index{1} << 32;  // half · half is 0 in 64 bits
   using Sizes = std::vector<std::pair<Eigen::Index, Eigen::Index>>;
   for (const auto& [rows, columns] : Sizes{{half, half}, {-1, -4}, {-2, 1}, {3, 2}, {half, 1}})
     CHECK_THROWS_AS(read(Eigen::MatrixXd(), matrix_of(rows, columns)), std::runtime_error);

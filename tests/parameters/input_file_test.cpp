@@ -1,4 +1,5 @@
-// Files that a person names are read to their end, or refused with the reason; nothing waits or reads on.
+// Files that a user names are read to their end, or refused with the reason. Reading never waits and never
+// runs without end.
 #include "bendlab/parameters/input_file.hpp"
 
 #include <sys/stat.h>
@@ -13,7 +14,7 @@ using bendlab::test::TemporaryFolder;
 using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
 
-TEST_CASE("input file: what is no file is refused", "[input]") {
+TEST_CASE("input file: everything that is not a regular file is refused", "[input]") {
   const TemporaryFolder folder;
   const auto refusal = [](const fs::path& file, std::uint64_t most = largest_input_file) -> std::string {
     try {
@@ -26,7 +27,7 @@ TEST_CASE("input file: what is no file is refused", "[input]") {
   std::ofstream(folder / "text") << "twelve bytes";
   CHECK(read_input_file(folder / "text", 12) == "twelve bytes");
   CHECK_THAT(refusal(folder / "text", 11), ContainsSubstring("is too large: it has 12 bytes"));
-  CHECK_THAT(read_input_file("/proc/self/status"), ContainsSubstring("Pid:"));  // says that it has 0 bytes
+  CHECK_THAT(read_input_file("/proc/self/status"), ContainsSubstring("Pid:"));  // its stated size is 0 bytes
   CHECK_THAT(refusal("/proc/self/status", 100), ContainsSubstring("is too large"));
   CHECK_THAT(refusal(folder / "absent"), ContainsSubstring("No such file"));
   CHECK_THAT(refusal(folder / ""), ContainsSubstring("is a folder"));

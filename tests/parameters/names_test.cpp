@@ -13,18 +13,18 @@ constexpr std::array<std::string_view, 2> colour_names = {"red", "green"};
 
 }  // namespace
 
-TEST_CASE("names: text becomes an enumerator by its table, and back", "[parameters]") {
+TEST_CASE("names: a table converts texts to enumerators and back", "[parameters]") {
   for (const Colour colour : {Colour::red, Colour::green})
     CHECK(bendlab::named<Colour>(bendlab::name_in(colour_names, colour), colour_names) == colour);
   CHECK(bendlab::name_in(colour_names, Colour::green) == "green");
 }
 
-TEST_CASE("names: an unknown one is refused with those that there are", "[parameters]") {
+TEST_CASE("names: an unknown name is refused, and the message lists the known names", "[parameters]") {
   std::string message;
   try {
     bendlab::named<Colour>("blue", colour_names);
   } catch (const std::invalid_argument& error) {
     message = error.what();
   }
-  CHECK(message == "'blue' is none of red, green");
+  CHECK(message == "'blue' is not one of red, green");
 }

@@ -5,8 +5,8 @@ import bendlab as bl
 
 
 def angle(x):
-    """The fold angle at an edge (n) and its gradient (n, 4, 3), in the order of operations of the C++ oracle
-    (hinge_angle.hpp)."""
+    """Returns the fold angle at each edge (n) and its gradient (n, 4, 3). The order of operations is that of
+    the C++ oracle (hinge_angle.hpp)."""
     p0, p1, p2, p3 = np.moveaxis(x, 1, 0)
     a, b, c, d, e = p2 - p0, p2 - p1, p3 - p1, p3 - p0, p1 - p0
     n1, n2 = np.cross(a, b), np.cross(c, d)
@@ -23,7 +23,7 @@ def angle(x):
 
 
 def weights(x):
-    """Area over edge²: the softness of discrete shells."""
+    """Area divided by edge length²: the softness of discrete shells."""
     edge = x[:, 1] - x[:, 0]
     area = sum(np.linalg.norm(np.cross(edge, x[:, corner] - x[:, 0]), axis=1) for corner in (2, 3)) / 2
     return area / (edge ** 2).sum(1)
@@ -32,7 +32,7 @@ def weights(x):
 class FoldAngle(bl.Model):
     """the fold angle at every edge between two triangles"""
 
-    factor = bl.Setting(1.0, unit="1", meaning="on the angle", minimum=0, above=True)
+    factor = bl.Setting(1.0, unit="1", meaning="factor on the angle", minimum=0, above=True)
 
     def elements(self, rest):
         x = rest.positions[rest.hinges]

@@ -27,12 +27,12 @@ def hanging(cells=8, **settings):
 
 
 def square():
-    """(4, 3) and (2, 3): a square of 1 m."""
+    """Vertices (4, 3) and triangles (2, 3) of a square of 1 m."""
     return np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]), np.array([[0, 1, 3], [0, 3, 2]])
 
 
 class Steps(unittest.TestCase):
-    def test_a_run_has_the_bits_of_the_programs(self):
+    def test_a_run_has_the_same_bits_as_from_the_program(self):
         with tempfile.TemporaryDirectory() as place:
             for solver in (bl.QuasiNewton(), bl.Pbd(substeps=3), bl.Newton()):
                 scene = hanging(bending=bl.DiscreteShells(flexural_rigidity=1e-4), solver=solver,
@@ -43,12 +43,12 @@ class Steps(unittest.TestCase):
                 cloth = scene.simulate()
                 cloth.run(0.2)
                 run, = bl.load(Path(place, config.stem))
-                # A scene in single precision has frames of that in its file.
+                # The file of a scene in single precision has frames in single precision.
                 single = run.provenance["precision"] == "single"
                 now = cloth.positions.astype(np.float32) if single else cloth.positions
                 self.assertTrue((run.positions() == now).all())
 
-    def test_steps_one_by_one_are_those_of_a_run(self):
+    def test_single_steps_equal_the_steps_of_a_run(self):
         first, second = hanging().simulate(), hanging().simulate()
         first.run(0.5)
         for _ in range(30):
@@ -57,19 +57,19 @@ class Steps(unittest.TestCase):
         self.assertTrue((first.positions == second.positions).all())
         self.assertTrue((first.velocities == second.velocities).all())
 
-    def test_a_free_cloth_falls_as_a_stone_does(self):
+    def test_a_free_cloth_falls_like_a_stone(self):
         cloth = bl.Scene(mesh=bl.grid(1, 1, 4), pins=[], effects=[bl.Gravity()],
                          solver=bl.Newton()).simulate()
         cloth.run(0.5)
-        # BDF2's first substep is backward Euler's, which falls by another g h² / 2.
+        # The first substep of BDF2 is a backward Euler step, which falls g h² / 2 too far.
         self.assertAlmostEqual(cloth.positions[:, 2].mean(), -9.81 * 0.125, delta=9.81 / 60 ** 2)
 
-    def test_seconds_have_to_be_a_time(self):
+    def test_a_negative_or_infinite_duration_is_refused(self):
         for seconds in (-1, float("nan"), float("inf")):
             with self.assertRaisesRegex(ValueError, "seconds of at least 0"):
                 hanging().simulate().run(seconds)
 
-    def test_what_is_doubtful_is_a_warning(self):
+    def test_a_doubtful_scene_causes_a_warning(self):
         vertices, triangles = square()
         with self.assertWarnsRegex(UserWarning, "units"):
             cloth = bl.Scene(mesh=bl.Mesh(100 * vertices, triangles), pins=[0]).simulate()
@@ -87,14 +87,14 @@ class Steps(unittest.TestCase):
         cloth.run(1e9)
         self.assertTrue(cloth.settled)
 
-    def test_a_cloth_that_flies_apart_says_where(self):
+    def test_a_diverging_cloth_raises_an_error(self):
         scene = hanging(solver=bl.Pbd(), effects=[bl.Gravity(acceleration=(0, 0, -1e12))])
         with self.assertRaisesRegex(RuntimeError, "diverged"):
             scene.simulate().run(10)
 
 
 class Arrays(unittest.TestCase):
-    def test_shapes_and_that_they_cannot_be_written(self):
+    def test_arrays_have_their_shapes_and_are_read_only(self):
         cloth = hanging(8).simulate()
         self.assertEqual((cloth.positions.shape, cloth.velocities.shape, cloth.triangles.shape,
                           cloth.pinned.shape), ((81, 3), (81, 3), (128, 3), (2,)))
@@ -103,19 +103,19 @@ class Arrays(unittest.TestCase):
                 array[0] = 1
         self.assertEqual(cloth.triangles.max(), 80)
 
-    def test_they_are_views_and_outlive_the_cloth(self):
+    def test_arrays_are_views_and_outlive_the_cloth(self):
         cloth = hanging().simulate()
         view = cloth.positions
         self.assertTrue(np.shares_memory(view, cloth.positions))
         cloth.step()
         now = cloth.positions.copy()
-        self.assertTrue((view == now).all(), "the same memory has the state of the last call")
+        self.assertTrue((view == now).all(), "the view shows the state after the last call")
         del cloth
         gc.collect()
-        bl.Scene().simulate()  # memory that was given back would be taken again
+        bl.Scene().simulate()  # this cloth would reuse memory that was freed
         self.assertTrue((view == now).all())
 
-    def test_energies_and_forces_are_those_of_one_another(self):
+    def test_energies_and_forces_have_the_same_kinds_of_constraints(self):
         for bending, kind in ((bl.DiscreteShells(flexural_rigidity=1e-3), "hinge"),
                               (bl.Crossover(), "distance")):
             cloth = hanging(6, bending=bending, solver=bl.Newton(), initial=bl.Initial(tilt=20)).simulate()
@@ -123,9 +123,9 @@ class Arrays(unittest.TestCase):
             energies, forces = cloth.energies(), cloth.forces()
             self.assertEqual(set(forces), {"strain", kind})
             self.assertEqual(set(energies), {"strain", kind, "kinetic", "weight"})
-            masses = 0.2 / 49  # about
-            self.assertGreater(energies["kinetic"], 0.1 * masses * (cloth.velocities ** 2).sum())
-            for force in forces.values():  # internal forces have no sum, but for what pins hold
+            mass = 0.2 / 49  # of a vertex, roughly
+            self.assertGreater(energies["kinetic"], 0.1 * mass * (cloth.velocities ** 2).sum())
+            for force in forces.values():  # forces at pinned vertices are zero
                 free = np.ones(49, bool)
                 free[cloth.pinned] = False
                 self.assertTrue((force[cloth.pinned] == 0).all())
@@ -133,7 +133,7 @@ class Arrays(unittest.TestCase):
 
 
 class Pins(unittest.TestCase):
-    def test_pinned_vertices_go_where_they_are_put(self):
+    def test_pinned_vertices_move_to_the_given_positions(self):
         for solver in (bl.QuasiNewton(), bl.Newton(substeps=3), bl.Pbd(),
                        bl.Pbd(precision="double", substeps=4), bl.Vbd()):
             with self.subTest(repr(solver)):
@@ -149,7 +149,7 @@ class Pins(unittest.TestCase):
                 cloth.run(2)
                 self.assertLess(cloth.positions[:, 2].max(), start[0, 2] + 0.05)
 
-    def test_asking_for_pins_changes_no_motion(self):
+    def test_reading_the_pins_does_not_change_the_motion(self):
         for solver in (bl.QuasiNewton(), bl.Newton(), bl.Pbd(precision="double")):
             plain, asked = hanging(solver=solver).simulate(), hanging(solver=solver).simulate()
             plain.run(0.3), asked.run(0.1)
@@ -157,7 +157,7 @@ class Pins(unittest.TestCase):
             asked.run(0.2)
             self.assertLess(np.abs(plain.positions - asked.positions).max(), 1e-9)
 
-    def test_what_cannot_move_pins_says_so(self):
+    def test_a_method_that_cannot_move_pins_refuses_them(self):
         for solver in (bl.Equilibrium(), bl.KangCho()):
             bending = bl.Crossover() if isinstance(solver, bl.KangCho) else bl.DiscreteShells()
             with self.assertRaisesRegex(ValueError, "leaves pinned vertices where they are"):
@@ -171,12 +171,12 @@ class Pins(unittest.TestCase):
             cloth.step()
         self.assertTrue(np.isfinite(cloth.positions).all())
 
-    def test_a_cloth_without_pins_has_none(self):
+    def test_a_cloth_without_pins_has_an_empty_array_of_pins(self):
         self.assertEqual(bl.Scene(pins=[]).simulate().pins.shape, (0, 3))
 
 
 class MeshesFromArrays(unittest.TestCase):
-    def test_what_is_converted(self):
+    def test_arrays_of_any_layout_and_type_are_converted(self):
         vertices, triangles = square()
         expected = bl.Scene(mesh=bl.Mesh(vertices, triangles), pins=[0]).simulate()
         expected.run(0.2)
@@ -184,14 +184,14 @@ class MeshesFromArrays(unittest.TestCase):
         read_only.flags.writeable = False
         wide = np.zeros((4, 6))
         wide[:, ::2] = vertices
-        for what, points, corners in (("lists", vertices.tolist(), triangles.tolist()),
+        for kind, points, corners in (("lists", vertices.tolist(), triangles.tolist()),
                                       ("Fortran order", np.asfortranarray(vertices),
                                        np.asfortranarray(triangles)),
                                       ("float32", vertices.astype(np.float32), triangles.astype(np.uint8)),
                                       ("not contiguous", wide[:, ::2], triangles[:, :]),
                                       ("read-only", read_only, triangles),
                                       ("big-endian", vertices.astype(">f8"), triangles.astype(">i4"))):
-            with self.subTest(what):
+            with self.subTest(kind):
                 cloth = bl.Scene(mesh=bl.Mesh(points, corners), pins=[0]).simulate()
                 cloth.run(0.2)
                 self.assertTrue((cloth.positions == expected.positions).all())
@@ -202,7 +202,7 @@ class MeshesFromArrays(unittest.TestCase):
             cloth = bl.Scene(mesh=bl.Mesh(file="square.obj"), folder=place, pins=[0]).simulate()
             self.assertEqual(cloth.positions.shape, (4, 3))
 
-    def test_a_mesh_from_arrays_has_no_other_shape_and_no_config(self):
+    def test_a_mesh_from_arrays_refuses_settings_of_shape_and_has_no_config(self):
         with self.assertRaisesRegex(TypeError, "does not read cells"):
             bl.Mesh(*square(), cells=4)
         with self.assertRaisesRegex(ValueError, "no place in a config"):
@@ -214,7 +214,7 @@ class MeshesFromArrays(unittest.TestCase):
         vertices[:] = 7
         self.assertEqual(bl.Scene(mesh=mesh, pins=[0]).simulate().positions.max(), 1)
 
-    def test_what_is_refused_with_its_reason(self):
+    def test_a_wrong_array_is_refused_with_the_reason(self):
         vertices, triangles = square()
         bad = vertices.copy()
         bad[2, 1] = np.nan
@@ -238,7 +238,7 @@ class MeshesFromArrays(unittest.TestCase):
 
 
 class ThreadsAndSignals(unittest.TestCase):
-    def test_two_threads_with_one_cloth_raise_and_do_not_race(self):
+    def test_two_threads_with_one_cloth_raise_an_error_and_do_not_race(self):
         cloth = hanging(24, solver=bl.Newton()).simulate()
         raised, started = [], threading.Event()
 
@@ -257,10 +257,10 @@ class ThreadsAndSignals(unittest.TestCase):
                     raised.append(str(error))
         worker.join()
         self.assertTrue(raised)
-        self.assertIn("give each thread a cloth of its own", raised[0])
+        self.assertIn("give each thread its own cloth", raised[0])
         cloth.step()
 
-    def test_threads_with_cloths_of_their_own_run_side_by_side(self):
+    def test_threads_with_different_cloths_run_at_the_same_time(self):
         cloths = [hanging(24).simulate() for _ in range(4)]
         workers = [threading.Thread(target=cloth.run, args=(0.5,)) for cloth in cloths]
         for worker in workers:
@@ -270,7 +270,7 @@ class ThreadsAndSignals(unittest.TestCase):
         for cloth in cloths[1:]:
             self.assertTrue((cloth.positions == cloths[0].positions).all())
 
-    def test_ctrl_c_in_the_middle_of_a_run_keeps_the_last_step(self):
+    def test_ctrl_c_during_a_run_keeps_the_state_of_the_last_step(self):
         cloth = hanging(24).simulate()
         threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
         before = time.monotonic()

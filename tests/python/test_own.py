@@ -2,7 +2,6 @@
 
     test_own.py PROGRAM
 """
-import json
 import subprocess
 import sys
 import tempfile
@@ -25,14 +24,14 @@ BY_COMPLIANCE = {"stiffness": "compliance", "compliance": 1e3}
 
 
 def sheet(bending, solver, cells=8, **settings):
-    """A sheet without symmetry that swings in air, which keeps it from becoming chaotic."""
+    """A sheet without symmetry that swings in air. The drag keeps the motion from becoming chaotic."""
     return bl.Scene(mesh=bl.Mesh(width=1, height=1, cells=cells, jitter=0.2), pins=TWO, bending=bending,
                     solver=solver, initial=bl.Initial(tilt=30),
                     effects=[bl.Gravity(), bl.ViscousDrag(coefficient=3)], **settings)
 
 
 def apart(first, second, steps):
-    """m: the largest difference of a coordinate after so many steps."""
+    """Returns the largest difference of a coordinate after this number of steps, m."""
     first, second = first.simulate(), second.simulate()
     for _ in range(steps):
         first.step(), second.step()
@@ -40,8 +39,8 @@ def apart(first, second, steps):
 
 
 class Models(unittest.TestCase):
-    def test_positions_are_those_of_the_oracle(self):
-        # Membrane: k of projections, so that no stiff spring lets rounding grow.
+    def test_positions_equal_those_of_the_oracle(self):
+        # The membrane has stiffness factors k, as rounding errors would grow with stiff springs.
         soft = bl.Material(strain=bl.Strain(stiffness="k", warp=0.5, weft=0.5, shear=0.5))
         for solver in (bl.Pbd(order="mesh", precision="double", iterations=3),
                        bl.Pbd(order="mesh", sweep="symmetric", precision="double", substeps=4, iterations=1),
@@ -55,13 +54,13 @@ class Models(unittest.TestCase):
                 self.assertLess(apart(sheet(FoldAngle(**BY_COMPLIANCE), solver),
                                       sheet(bl.DiscreteShells(**BY_COMPLIANCE), solver), 100), 1e-12)
 
-    def test_by_k_it_is_the_dihedral_constraint(self):
+    def test_with_k_the_model_is_the_dihedral_constraint(self):
         solver = bl.Pbd(order="mesh", precision="double", iterations=3)
         by_k = {"stiffness": "k"}
         self.assertLess(apart(sheet(FoldAngle(**by_k, k=0.3), solver),
                               sheet(bl.DiscreteShells(**by_k, k=0.3), solver), 30), 1e-12)
 
-    def test_equilibrium_is_that_of_the_oracle_for_constraint_and_energy(self):
+    def test_equilibrium_equals_that_of_the_oracle_for_constraint_and_energy(self):
         pose = {}
         for bending in (bl.DiscreteShells(**BY_COMPLIANCE), FoldAngle(**BY_COMPLIANCE),
                         FoldEnergy(**BY_COMPLIANCE)):
@@ -70,26 +69,27 @@ class Models(unittest.TestCase):
             self.assertTrue(cloth.settled)
             pose[type(bending).__name__] = cloth.positions.copy()
         self.assertLess(np.abs(pose["FoldAngle"] - pose["DiscreteShells"]).max(), 1e-9)
-        # It ends at a residual of 1e-9 of the loads: where the sheet is softest that is a micrometre.
+        # The solver stops at a residual of 1e-9 of the loads: a micrometre where the sheet is softest.
         self.assertLess(np.abs(pose["FoldEnergy"] - pose["DiscreteShells"]).max(), 1e-5)
 
-    def test_an_energy_moves_as_its_constraint_does(self):
-        # Newton's steps end at 1e-7 of the size, and their errors add up.
+    def test_an_energy_gives_the_same_motion_as_its_constraint(self):
+        # Newton's method stops at an update of 1e-7 of the size, and the errors of all steps add up.
         self.assertLess(apart(sheet(FoldEnergy(**BY_COMPLIANCE), bl.Newton()),
                               sheet(bl.DiscreteShells(**BY_COMPLIANCE), bl.Newton()), 60), 1e-5)
 
-    def test_a_stated_rigidity_is_that_of_its_weights(self):
+    def test_a_stated_rigidity_multiplies_the_energy_of_the_weights(self):
         def folded(**stiffness):
             scene = bl.Scene(mesh=bl.Mesh(generator="equilateral", cells=8), solver=bl.Newton(),
                              bending=FoldAngle(**stiffness), initial=bl.Initial(perturbation=0.01))
             return scene.simulate().energies()["fold_angle"]
 
-        # B multiplies the energy of weights that stand for 1 N m; a compliance is the inverse of that.
+        # The weights belong to a rigidity of 1 N m. The rigidity B multiplies their energy; a compliance is
+        # 1/B.
         self.assertAlmostEqual(folded(flexural_rigidity=2e-3) / folded(flexural_rigidity=1e-3), 2, 12)
         by_compliance = folded(stiffness="compliance", compliance=1e3)
         self.assertAlmostEqual(by_compliance / folded(flexural_rigidity=1e-3), 1, 12)
 
-    def test_settings_have_ranges_and_are_swept(self):
+    def test_settings_have_ranges_and_can_be_swept(self):
         self.assertEqual(FoldAngle(factor=2).factor, 2)
         with self.assertRaisesRegex(bl.ConfigError, "/bending/fold_angle/factor"):
             FoldAngle(factor=0)
@@ -99,7 +99,7 @@ class Models(unittest.TestCase):
             self.assertEqual(list(table["factor"]), [1, 2])
             self.assertEqual(list(table["status"]), ["complete"] * 2)
 
-    def test_a_wrong_gradient_is_refused_with_the_numbers(self):
+    def test_the_error_of_a_wrong_gradient_states_both_numbers(self):
         with self.assertRaises(ValueError) as caught:
             class WrongGradient(bl.Model):
                 def elements(self, rest):
@@ -114,8 +114,8 @@ class Models(unittest.TestCase):
         with self.assertRaisesRegex(bl.ConfigError, "model"):
             bl.run({"name": "a", "bending": {"model": "wrong_gradient"}})
 
-    def test_what_else_is_refused_when_a_class_is_read(self):
-        def made(name="Odd", **members):
+    def test_other_errors_in_the_definition_of_a_class_are_refused(self):
+        def define(name="Odd", **members):
             return type(name, (bl.Model,), {"elements": lambda self, rest: bl.Elements(rest.hinges),
                                             **members})
 
@@ -140,15 +140,15 @@ class Models(unittest.TestCase):
                   "elements": lambda self, rest: bl.Elements(rest.hinges.astype(float))}, "whole numbers"),
                 ({"constraint": constraint, "size": bl.Setting(None)}, "a setting is")):
             with self.subTest(text), self.assertRaisesRegex((ValueError, TypeError), text):
-                made(**members)
+                define(**members)
         with self.assertRaisesRegex(ValueError, "depends on where"):
-            made("Height", elements=lambda self, rest: bl.Elements(rest.triangles[:, :1]),
-                 constraint=lambda self, x, rest: (x[:, 0, 2], np.tile([0, 0, 1.0], (len(x), 1, 1))))
+            define("Height", elements=lambda self, rest: bl.Elements(rest.triangles[:, :1]),
+                   constraint=lambda self, x, rest: (x[:, 0, 2], np.tile([0, 0, 1.0], (len(x), 1, 1))))
         with self.assertRaisesRegex(ValueError, "bending model 'lod' cannot be registered"):
-            made("Lod", constraint=constraint)
+            define("Lod", constraint=constraint)
 
-    def test_a_class_of_the_same_name_takes_the_place_of_the_earlier(self):
-        def made(factor):
+    def test_a_class_replaces_an_earlier_class_with_the_same_name(self):
+        def define(factor):
             class Twice(bl.Model):
                 def elements(self, rest):
                     return bl.Elements(rest.hinges)
@@ -158,15 +158,15 @@ class Models(unittest.TestCase):
                     return factor * value, factor * gradient
             return Twice
 
-        first = made(1)
+        first = define(1)
         cloth = sheet(first(**BY_COMPLIANCE), bl.Newton()).simulate()
-        second = made(3)
+        second = define(3)
         cloth.run(0.2)
         other = sheet(second(**BY_COMPLIANCE), bl.Newton()).simulate()
         other.run(0.2)
         self.assertGreater(np.abs(cloth.positions - other.positions).max(), 1e-6)
 
-    def test_an_exception_ends_the_step_with_its_traceback_and_the_cloth_intact(self):
+    def test_an_exception_ends_the_step_with_its_traceback_and_does_not_change_the_cloth(self):
         calls = SimpleNamespace(now=0, fails_at=0)
 
         class Fragile(bl.Model):
@@ -197,12 +197,12 @@ class Models(unittest.TestCase):
                 cloth.run(0.1), whole.run(0.1)
                 self.assertTrue((cloth.positions == whole.positions).all())
 
-    def test_methods_that_cannot_take_it_say_so(self):
+    def test_a_method_that_cannot_take_a_model_in_python_is_refused(self):
         for solver in (bl.Vbd(), bl.KangCho()):
             with self.assertRaisesRegex(bl.ConfigError, "/solver/method"):
                 sheet(FoldAngle(**BY_COMPLIANCE), solver).simulate()
 
-    def test_threads_with_models_of_python_do_not_wait_for_each_other_forever(self):
+    def test_threads_with_models_in_python_do_not_deadlock(self):
         cloths = [sheet(FoldAngle(**BY_COMPLIANCE), bl.QuasiNewton()).simulate() for _ in range(3)]
         workers = [threading.Thread(target=cloth.run, args=(0.2,)) for cloth in cloths]
         for worker in workers:
@@ -232,28 +232,29 @@ class Thrust(bl.Effect):
 
 
 class Effects(unittest.TestCase):
-    def test_a_trap_turns_a_free_sheet_to_the_other_side(self):
+    def test_a_trap_moves_a_free_sheet_to_the_other_side(self):
         for solver in (bl.Pbd(substeps=64, iterations=1), bl.Newton(substeps=64),
                        bl.QuasiNewton(substeps=64)):
             with self.subTest(repr(solver)):
-                # 1 m away at rest: after half a period of 1 s it is as far on the other side.
+                # The sheet starts at rest, 1 m away. After half a period of 1 s it is 1 m away on the other
+                # side.
                 mesh = bl.Mesh(width=0.2, height=0.2, cells=4, offset=[1, 0, 0])
                 cloth = bl.Scene(mesh=mesh, pins=[], effects=[Trap()], solver=solver).simulate()
                 start = cloth.positions.mean(axis=0)
                 cloth.run(0.5)
                 self.assertLess(np.abs(cloth.positions.mean(axis=0) + start).max(), 5e-3)
 
-    def test_a_force_is_divided_by_masses(self):
+    def test_a_force_is_divided_by_the_masses(self):
         cloth = bl.Scene(mesh=bl.grid(1, 1, 4), pins=[], effects=[Thrust()], solver=bl.Newton(),
                          bending=bl.None_()).simulate()
         cloth.run(0.5)
-        # 25 vertices of 1 mN on 0.2 kg, ½ a t²; BDF2's first substep adds half a step's.
+        # ½ a t² for 25 vertices with 1 mN each, and 0.2 kg. The first substep of BDF2 adds ½ a h².
         expected = 0.5 * 25e-3 / 0.2 * 0.25
         self.assertAlmostEqual(cloth.masses.sum(), 0.2)
         centre = (cloth.masses * cloth.positions[:, 2]).sum() / 0.2
         self.assertAlmostEqual(centre, expected, delta=25e-3 / 0.2 / 60 ** 2)
 
-    def test_an_exception_leaves_the_cloth_as_it_was(self):
+    def test_an_exception_keeps_the_cloth_of_the_last_step(self):
         class Late(bl.Effect):
             def acceleration(self, x, v, t):
                 return x[:, :2] if t > 0.05 else np.zeros(3)
@@ -264,17 +265,17 @@ class Effects(unittest.TestCase):
         self.assertGreater(cloth.time, 0.04)
         self.assertTrue(np.isfinite(cloth.positions).all())
 
-    def test_it_needs_one_function(self):
+    def test_an_effect_needs_exactly_one_function(self):
         with self.assertRaisesRegex(TypeError, "either acceleration"):
             type("Nothing", (bl.Effect,), {})
 
 
 class Lowest(bl.Measure):
-    """how low the sheet hangs"""
+    """lowest point of the sheet"""
 
     columns = {"lowest": ("m", "smallest z of the vertices")}
-    numbers = {"lowest_ever": ("m", "smallest z of all frames"), "area_at_rest": ("m²", "of all triangles"),
-               "unknown": ("1", "a number that is not found")}
+    numbers = {"lowest_ever": ("m", "smallest z of all frames"),
+               "area_at_rest": ("m²", "area of all triangles"), "unknown": ("1", "a number without a value")}
 
     def begin(self, rest):
         self.area, self.ever = rest.areas.sum(), np.inf
@@ -288,7 +289,7 @@ class Lowest(bl.Measure):
 
 
 class Measures(unittest.TestCase):
-    def test_its_numbers_are_in_the_table_and_in_the_file(self):
+    def test_the_numbers_of_a_measure_are_in_the_table_and_in_the_file(self):
         with tempfile.TemporaryDirectory() as place:
             scene = bl.Scene(mesh=bl.grid(1, 1, 6), pins=TWO, duration=0.3)
             table = bl.run(scene, sweep={"/mesh/cells": [4, 6]}, measures=[Lowest], out=place, jobs=2)
@@ -301,13 +302,13 @@ class Measures(unittest.TestCase):
                 self.assertNotIn("unknown", run.summary)
                 self.assertEqual(run.metrics.about("lowest"), ("m", "smallest z of the vertices"))
 
-    def test_a_number_that_the_program_has_is_refused(self):
-        with self.assertRaisesRegex(ValueError, "number 'drop'"):
+    def test_a_number_with_the_name_of_a_metric_of_the_program_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "metric 'drop'"):
             type("Taken", (bl.Measure,), {"numbers": {"drop": ("m", "")}, "finish": lambda self, x: {}})
         with self.assertRaisesRegex(TypeError, "no method finish"):
             type("Unfinished", (bl.Measure,), {"numbers": {"a": ("m", "")}})
 
-    def test_a_measure_that_gives_other_numbers_fails_its_run(self):
+    def test_a_run_fails_if_a_measure_does_not_return_its_declared_numbers(self):
         class Other(bl.Measure):
             numbers = {"promised": ("1", "a number")}
 
@@ -318,9 +319,9 @@ class Measures(unittest.TestCase):
             table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.1), measures=Other, out=place)
             self.assertIn("expected a dict of promised", table["message"][0])
 
-    def test_a_failing_measure_fails_its_run_with_the_reason(self):
+    def test_a_run_fails_with_the_reason_if_a_measure_raises_an_exception(self):
         class Failing(bl.Measure):
-            columns = {"nothing_at_all": ("1", "never found")}
+            columns = {"nothing_at_all": ("1", "never computed")}
 
             def frame(self, x, t):
                 raise ArithmeticError("no such number today")
@@ -337,7 +338,7 @@ class Runs(unittest.TestCase):
             "scene = bl.Scene(mesh=bl.grid(1, 1, 4), effects=[Pull()], duration=0.1)\n"
             "print(bl.run(scene, out=sys.argv[1])['file'][0])\n")
 
-    def test_a_run_with_a_class_is_made_again_when_its_file_changes(self):
+    def test_a_run_with_a_class_is_computed_again_after_the_file_of_the_class_changes(self):
         with tempfile.TemporaryDirectory() as place:
             script, files = Path(place, "mine.py"), []
             for number in (-1, -1, -2):
@@ -347,7 +348,7 @@ class Runs(unittest.TestCase):
             self.assertEqual(files[0], files[1])
             self.assertNotEqual(files[0], files[2])
 
-    def test_a_class_that_a_function_makes_is_always_another(self):
+    def test_a_class_defined_in_a_function_is_new_in_every_call(self):
         def pull(acceleration):
             class Pulled(bl.Effect):
                 def acceleration(self, x, v, t):
@@ -361,15 +362,15 @@ class Runs(unittest.TestCase):
                 drops.append(bl.load(bl.run(scene, out=place)["file"][0]).positions()[:, 2].mean())
             self.assertAlmostEqual(drops[1] / drops[0], 20, delta=0.1)
 
-    def test_a_scene_of_a_class_that_was_defined_again_is_refused(self):
-        def made():
+    def test_a_scene_with_a_class_that_was_defined_again_is_refused(self):
+        def define():
             class Again(bl.Effect):
                 def acceleration(self, x, v, t):
                     return np.zeros(3)
             return Again
 
-        scene = bl.Scene(effects=[made()()])
-        made()
+        scene = bl.Scene(effects=[define()()])
+        define()
         with self.assertRaisesRegex(TypeError, "defined again"):
             scene.simulate()
 

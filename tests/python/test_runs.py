@@ -1,4 +1,4 @@
-"""Experiments from Python give what the command line gives.
+"""Experiments from Python have the same results as experiments from the command line.
 
     test_runs.py PROGRAM
 """
@@ -23,7 +23,7 @@ CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_le
 
 
 class Height(bl.Measure):
-    """where the cloth is"""
+    """mean height of the cloth"""
 
     numbers = {"height": ("m", "mean z of the vertices")}
 
@@ -40,28 +40,28 @@ class Runs(unittest.TestCase):
     def program(self, *arguments):
         return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
 
-    def test_files_have_the_bits_of_the_command_line(self):
+    def test_run_files_have_the_same_bits_as_from_the_command_line(self):
         config = self.place / "small.json"
         config.write_text(json.dumps(CONFIG))
         self.program("run", config, "--out", self.place / "program")
         theirs = {run.id: run for run in bl.load(self.place / "program")}
-        for given in (config, str(config), CONFIG):
+        for argument in (config, str(config), CONFIG):
             out = self.place / f"python{len(list(self.place.iterdir()))}"
-            table = bl.run(given, out=out, jobs=2)
+            table = bl.run(argument, out=out, jobs=2)
             ours = bl.load(out)
             self.assertEqual({run.id for run in ours}, set(theirs))
             for run in ours:
-                other = theirs[run.id]
-                self.assertTrue((run.trajectory() == other.trajectory()).all())
-                numbers = {name for name in run.summary if not name.endswith(("_s", "bytes"))}
-                for name in numbers:
-                    np.testing.assert_equal(run.summary[name], other.summary[name])
+                expected = theirs[run.id]
+                self.assertTrue((run.trajectory() == expected.trajectory()).all())
+                metrics = {name for name in run.summary if not name.endswith(("_s", "bytes"))}
+                for name in metrics:
+                    np.testing.assert_equal(run.summary[name], expected.summary[name])
             self.assertEqual(list(table["model"]), ["crossover"] * 2 + ["discrete_shells"] * 2)
             self.assertEqual(list(table["cells"]), [4, 6, 4, 6])
             for row in range(4):
                 self.assertEqual(table["drop"][row], bl.load(table["file"][row]).summary["drop"])
 
-    def test_a_sweep_by_keyword_is_that_of_a_config(self):
+    def test_a_sweep_by_keyword_equals_the_sweep_of_a_config(self):
         scene = bl.Scene(mesh=bl.grid(1, 1, 6), duration=0.2)
         table = bl.run(scene, sweep={"mesh.cells": [4, 6], "/bending": [bl.Crossover(), bl.DiscreteShells()],
                                      "/solver/dt": np.array([0.01, 0.02])}, out=self.place, jobs=2)
@@ -82,7 +82,7 @@ class Runs(unittest.TestCase):
         cloth.run(0.1)
         self.assertLess(np.abs(run.positions() - cloth.positions).max(), 1e-7)
 
-    def test_the_config_stays_as_it_is(self):
+    def test_the_config_is_not_changed(self):
         config = {"name": "same", "mesh": {"cells": 4}, "duration": 0.05, "output": {"constraints": True}}
         before = json.dumps(config)
         bl.run(config, sweep={"/mesh/cells": [3]}, out=self.place)
@@ -95,7 +95,7 @@ class Runs(unittest.TestCase):
                 def acceleration(self, x, v, t):
                     return np.zeros(3)
 
-        seen = []
+        errors = []
 
         class Defining(bl.Measure):
             numbers = {"defined": ("1", "whether a class was defined in the middle of a run")}
@@ -104,14 +104,14 @@ class Runs(unittest.TestCase):
                 try:
                     define()
                 except RuntimeError as error:
-                    seen.append(str(error))
-                return {"defined": len(seen)}
+                    errors.append(str(error))
+                return {"defined": len(errors)}
 
         bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05), measures=[Defining], out=self.place)
-        self.assertIn("while", seen[0])
+        self.assertIn("while", errors[0])
         define()
 
-    def test_a_wrong_config_has_every_problem(self):
+    def test_the_error_of_a_wrong_config_lists_every_problem(self):
         with self.assertRaises(bl.ConfigError) as caught:
             bl.run({"name": "a", "mesh": {"cells": 0, "cels": 3}})
         self.assertEqual({pointer for pointer, _ in caught.exception.problems}, {"/mesh/cells", "/mesh/cels"})
@@ -120,7 +120,7 @@ class Runs(unittest.TestCase):
         with self.assertRaisesRegex(bl.ConfigError, "/mesh/none"):
             bl.run(bl.Scene(), sweep={"/mesh/none": [1]}, out=self.place)
 
-    def test_a_run_that_fails_has_its_reason_and_leaves_the_others(self):
+    def test_a_failed_run_has_its_reason_and_other_runs_still_complete(self):
         table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), solver=bl.Pbd(), duration=0.1),
                        sweep={"/effects": [[bl.Gravity()], [bl.Gravity(acceleration=(0, 0, -1e15))]]},
                        out=self.place)
@@ -128,7 +128,7 @@ class Runs(unittest.TestCase):
         self.assertIn(table["status"][1], ("diverged", "implausible"))
         self.assertTrue(table["message"][1])
 
-    def test_ctrl_c_ends_the_runs_and_the_same_call_goes_on(self):
+    def test_ctrl_c_stops_the_runs_and_the_same_call_continues_them(self):
         scene = bl.Scene(mesh=bl.grid(1, 1, 24), solver=bl.Newton(), duration=0.5)
         sweep = {"/initial/tilt": [0, 10, 20, 30]}
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()

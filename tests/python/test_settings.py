@@ -1,5 +1,5 @@
-"""The classes of settings say what the program says: fields, units, defaults, ranges. They print as what
-makes them, and refuse what the program refuses.
+"""The classes of settings have the fields, units, defaults and ranges of the program. They print as the code
+that constructs them, and refuse the values that the program refuses.
 
     test_settings.py PROGRAM
 """
@@ -26,7 +26,7 @@ SCHEMA = json.loads(subprocess.run([PROGRAM, "schema", "--json"], capture_output
 
 
 def of_schema(pointer):
-    """The settings of the schema at a pointer: name → row."""
+    """The settings of the schema at a pointer, as {name: row}."""
     node = SCHEMA
     for key in pointer.split("/")[1:]:
         node = node["properties"][key]
@@ -42,7 +42,7 @@ def effect_of_schema(name):
 
 class TheProgramsTables(unittest.TestCase):
     def check(self, cls, rows, names, renamed={}):
-        """Each setting of a class against its row of the schema. `renamed`: name → that of the schema."""
+        """Compares each setting of a class with its row in the schema. `renamed`: {name: name in schema}."""
         fields = {field["name"]: field for table in cls._tables for field in table.fields}
         for name in names:
             with self.subTest(f"{cls.__name__}.{name}"):
@@ -52,8 +52,8 @@ class TheProgramsTables(unittest.TestCase):
                                  row.get("x-unit", "") if row.get("x-unit", "") not in ("", "1") else "")
                 if field["default"] is not None and "default" in row:
                     self.assertEqual(field["default"], row["default"])
-                    found = getattr(cls(), name)
-                    self.assertEqual(list(found) if isinstance(found, tuple) else found, row["default"])
+                    value = getattr(cls(), name)
+                    self.assertEqual(list(value) if isinstance(value, tuple) else value, row["default"])
                 for bound, key in (("minimum", "exclusiveMinimum" if field["above"] else "minimum"),
                                    ("maximum", "maximum")):
                     if abs(field[bound]) != float("inf") and row.get("type") in ("number", "integer"):
@@ -86,7 +86,7 @@ class TheProgramsTables(unittest.TestCase):
             self.check(cls, rows, own)
             self.check(cls, shared, {field["name"] for field in cls._tables[1].fields}, {"bending_k": "k"})
 
-    def test_a_model_with_a_setting_k_has_the_shared_one_by_another_name(self):
+    def test_a_model_with_its_own_setting_k_has_the_shared_k_as_bending_k(self):
         ring = bl.KRing(k=3, stiffness="k", bending_k=0.25)
         self.assertEqual(ring._config(), {"model": "k_ring", "stiffness": "k", "k": 0.25, "k_ring": {"k": 3}})
         self.assertEqual(bl.Crossover(k=0.25)._config(), {"model": "crossover", "k": 0.25})
@@ -99,7 +99,7 @@ class TheProgramsTables(unittest.TestCase):
             shared = {field["name"] for field in cls._tables[1].fields}
             seen |= {field["name"] for table in cls._tables for field in table.fields}
             self.check(cls, rows, shared)
-            # Methods may differ in a default: the schema has that of the first.
+            # Methods may differ in a default. The schema has the default of the first method.
             for field in cls._tables[0].fields:
                 self.assertIn(field["name"], rows)
         self.assertEqual(seen, set(rows))
@@ -140,11 +140,11 @@ class Values(unittest.TestCase):
         self.assertEqual(len(scene.config()["effects"]), 3)
         self.assertNotIn("effects", bl.Scene().config())
 
-    def test_lists_cannot_be_changed_in_part(self):
+    def test_an_element_of_a_list_cannot_be_changed(self):
         with self.assertRaises(TypeError):
             bl.Wind().velocity[0] = 99
 
-    def test_each_scene_has_parts_of_its_own(self):
+    def test_two_scenes_do_not_share_their_parts(self):
         first, second = bl.Scene(), bl.Scene()
         first.mesh.cells = 5
         self.assertEqual(second.mesh.cells, 32)
@@ -156,7 +156,7 @@ class Values(unittest.TestCase):
             self.assertIn(text, str(caught.exception))
         return caught.exception
 
-    def test_what_is_wrong_is_said_with_its_pointer_and_what_is_allowed(self):
+    def test_an_error_states_the_pointer_and_the_allowed_values(self):
         error = self.refused(lambda: bl.Mesh(cells=0), "/mesh/cells", "1 to 4096")
         self.assertEqual(error.problems[0][0], "/mesh/cells")
         self.refused(lambda: bl.Mesh(cell=3), "/mesh/cell", "cells")
@@ -173,13 +173,13 @@ class Values(unittest.TestCase):
         self.refused(lambda: bl.Scene(effects=bl.Gravity()), "list of effects")
         self.assertEqual(bl.Scene(pins="top").pins.vertices, ("top",))
 
-    def test_what_does_not_go_together_is_said_when_the_scene_is_built(self):
+    def test_contradicting_settings_are_refused_when_the_scene_is_built(self):
         scene = bl.Scene(bending=bl.DiscreteShells(stiffness="k"), solver=bl.Newton())
         self.refused(scene.simulate, "/bending/stiffness")
 
 
 class Texts(unittest.TestCase):
-    def test_the_stub_is_python_and_has_every_class(self):
+    def test_the_stub_is_valid_python_and_has_every_class(self):
         stub = ast.parse((Path(bl.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
         names = {node.name for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
         self.assertEqual(set(bl.__all__) - names, set())
@@ -203,17 +203,17 @@ class Texts(unittest.TestCase):
             with self.subTest(cls.__name__):
                 lines = [line for line in cls.__doc__.split("\n")
                          if line.startswith(" " * 8) or not line.strip()]
-                found = {"bl": bl, "np": np}
-                exec(textwrap.dedent("\n".join(lines)), found)
+                names = {"bl": bl, "np": np}
+                exec(textwrap.dedent("\n".join(lines)), names)
                 scene = bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05)
                 if cls is bl.Measure:
                     with tempfile.TemporaryDirectory() as place:
-                        self.assertIn("height", bl.run(scene, measures=[found[name]], out=place).dtype.names)
+                        self.assertIn("height", bl.run(scene, measures=[names[name]], out=place).dtype.names)
                     continue
                 if cls is bl.Model:
-                    scene.bending = found[name](stiffness="compliance", compliance=1e-3)
+                    scene.bending = names[name](stiffness="compliance", compliance=1e-3)
                 else:
-                    scene.effects = [found[name](frequency=0.5)]
+                    scene.effects = [names[name](frequency=0.5)]
                 scene.simulate().step()
 
     def test_examples_in_the_documentation_of_the_package_run(self):

@@ -1,4 +1,4 @@
-// Elements of a function that the library does not know, against the same elements with kernels.
+// Elements with a user's function, compared with the same elements with kernels.
 #include "bendlab/constraints/own_elements.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using Catch::Matchers::ContainsSubstring;
 
-// C = θ - θ0 of the hinges of a list, or U = ½ C².
+// C = θ - θ0 for the hinges of a list, or U = ½ C².
 class Angles final : public ElementFunction {
  public:
   Angles(ElementList<HingeAngle> list, bool is_energy) : list_(std::move(list)), is_energy_(is_energy) {}
@@ -97,7 +97,7 @@ double difference(Scene a, Scene b, int steps) {
 
 }  // namespace
 
-TEST_CASE("own elements: pbd takes the same steps as with the oracle and with kernels", "[own]") {
+TEST_CASE("own elements: pbd gives the same steps as with the oracle and with kernels", "[own]") {
   const auto order = GENERATE(ConstraintOrder::mesh, ConstraintOrder::colour);
   const auto sweep = GENERATE(Sweep::forward, Sweep::symmetric);
   const bool by_k = GENERATE(false, true);
@@ -107,26 +107,26 @@ TEST_CASE("own elements: pbd takes the same steps as with the oracle and with ke
     scene->solver.substeps = 4, scene->solver.iterations = 3;
     if (by_k) scene->bending.stiffness = Stiffness::k, scene->bending.k = 0.3;
   }
-  // The oracle's arithmetic is that of Angles; kernels have sums in another order, and motion lets their
-  // rounding grow.
+  // The oracle has the same arithmetic as Angles. Kernels have sums in another order, and the motion
+  // amplifies this rounding.
   CHECK(difference(own, known, 100) < (order == ConstraintOrder::mesh ? 1e-12 : 1e-9));
 }
 
-TEST_CASE("own elements: an energy ½ C² is projected as C", "[own]") {
+TEST_CASE("own elements: an energy ½ C² is projected like C", "[own]") {
   const Pbd pbd{.order = ConstraintOrder::mesh};
   CHECK(difference(sheet(pbd, OwnEnergy{}), sheet(pbd, Kernels{}), 30) < 1e-9);
 }
 
-TEST_CASE("own elements: single precision moves the sheet as double precision does", "[own]") {
+TEST_CASE("own elements: single precision agrees with double precision up to rounding", "[own]") {
   const Scene exact = sheet(Pbd{}, Kernels{});
   Scene single = sheet(Pbd{}, Own{}), known = exact;
   for (Scene* scene : {&single, &known}) scene->solver.precision = ChosenPrecision::single_precision;
-  // Two ways to round differ by as much as rounding itself does, but for a factor.
+  // Two different roundings differ by about the effect of rounding itself.
   CHECK(difference(single, known, 20) < 10 * difference(known, exact, 20));
 }
 
-TEST_CASE("own elements: implicit methods find the minimum that they find with kernels", "[own]") {
-  const double tolerance = 1e-7;  // of 1 m, to which the steps converge
+TEST_CASE("own elements: implicit methods find the same minimum as with kernels", "[own]") {
+  const double tolerance = 1e-7;  // m: the tolerance of the steps for a sheet of 1 m
   SECTION("newton") {
     Scene known = sheet(Newton{}, Kernels{});
     CHECK(difference(sheet(Newton{}, Own{}), known, 20) < 1e-12);
@@ -135,7 +135,7 @@ TEST_CASE("own elements: implicit methods find the minimum that they find with k
   SECTION("equilibrium") {
     Scene known = sheet(Equilibrium{}, Kernels{});
     CHECK(difference(sheet(Equilibrium{}, Own{}), known, 200) < tolerance);
-    CHECK(difference(sheet(Equilibrium{}, OwnEnergy{}), known, 200) < 1e-6);  // its own residual's
+    CHECK(difference(sheet(Equilibrium{}, OwnEnergy{}), known, 200) < 1e-6);  // within its residual
   }
   SECTION("quasi_newton") {
     const auto converged = [](BendingModel model) {
@@ -165,7 +165,7 @@ TEST_CASE("own elements: forces are the negative gradient of the energy", "[own]
         positions(v, axis) = at - h;
         const double behind = system.energy(positions);
         positions(v, axis) = at;
-        // The rounding of an energy, over the step, and the third derivative.
+        // The tolerance covers the rounding of an energy divided by the step, and the third derivative.
         const double expected = -(ahead - behind) / (2 * h);
         CHECK(std::abs(forces[static_cast<std::size_t>(v)].vector()(axis) - expected) <
               1e-5 * std::abs(expected) + 1e-15 * ahead / h);
@@ -173,14 +173,14 @@ TEST_CASE("own elements: forces are the negative gradient of the energy", "[own]
   }
 }
 
-TEST_CASE("own elements: constraint damping slows them as it does those with kernels", "[own]") {
+TEST_CASE("own elements: constraint damping has the same effect as with kernels", "[own]") {
   Scene own = sheet(Pbd{.order = ConstraintOrder::mesh}, Own{}),
         known = sheet(Pbd{.order = ConstraintOrder::mesh}, Kernels{});
   for (Scene* scene : {&own, &known}) scene->effects.push_back(ConstraintDamping{.rate = 5});
   CHECK(difference(own, known, 30) < 1e-12);
 }
 
-TEST_CASE("own elements: a stated rigidity is that of their weights, and its share is told", "[own]") {
+TEST_CASE("own elements: they are calibrated to a stated rigidity, and facts report the result", "[own]") {
   Scene scene = sheet(Newton{}, Own{});
   scene.mesh = {.generator = Generator::equilateral, .cells = 20};
   scene.bending = {.model = Own{}, .flexural_rigidity = 1e-4};
@@ -188,13 +188,14 @@ TEST_CASE("own elements: a stated rigidity is that of their weights, and its sha
   const auto fact = [&](std::string_view name) {
     return std::ranges::find(cloth.scene().bending_facts, name, &BendingFact::name)->value;
   };
-  // Discrete shells' weights 3 e²/A, ½ θ² each, are 1 N m on equilateral triangles, but for the border.
+  // Discrete shells' weights of 3 e²/A, for ½ θ² per hinge, are 1 N m on equilateral triangles, except at the
+  // border.
   CHECK(std::abs(fact("large_deflection") - 1) < 0.05);
   CHECK(fact("large_deflection_most") / fact("large_deflection_least") < 1.05);
   CHECK(cloth.scene().input.own.softness.front() * cloth.scene().input.bending_stiffness.compliance > 0);
 }
 
-TEST_CASE("own elements: methods that have no kernels for them say so", "[own]") {
+TEST_CASE("own elements: methods that do not support them refuse them", "[own]") {
   CHECK_THROWS_WITH(simulate(sheet(Vbd{}, Own{})),
                     ContainsSubstring("/solver/method") && ContainsSubstring("newton"));
 }

@@ -1,4 +1,4 @@
-// A scene from C++.
+// Scenes built from C++.
 #include <cmath>
 #include <random>
 
@@ -24,7 +24,7 @@ std::string refused(const Scene& scene) {
   return "";
 }
 
-// What a config's run is after that many steps.
+// The positions of a config's run after `steps` steps.
 Positions of_config(const std::string& settings, int steps) {
   const RunConfig run = parse_experiment(R"({"name": "same", )" + settings + "}", "test").runs.front();
   const BuiltScene built = build_scene(run.scene());
@@ -33,7 +33,7 @@ Positions of_config(const std::string& settings, int steps) {
   return simulation->positions();
 }
 
-// An effect, a model and a method that nobody registered.
+// An effect, a model and a method that are not registered.
 struct Push {
   double acceleration = 2;  // m/s²
   static const EffectKind kind;
@@ -62,7 +62,7 @@ const BendingKind Loose::kind{.name = "loose",
                               .settings = table_of<Loose>({}),
                               .build = [](const void*, const BendingInput&) { return BendingConstraints{}; }};
 
-// x += h v, and no constraint acts.
+// x += h v without constraints.
 struct Ballistic {
   static const MethodKind kind;
 };
@@ -94,7 +94,7 @@ const MethodKind Ballistic::kind{.name = "ballistic",
 TEST_CASE("a disturbed pose is the same on every compiler and processor", "[scene]") {
   Scene scene;
   scene.mesh.width = scene.mesh.height = 1.5;
-  scene.mesh.cells = 60;  // so many vertices that a product which is rounded by itself changes a few
+  scene.mesh.cells = 60;  // so many vertices that another rounding of a product would change a few
   scene.initial.perturbation = 1e-4;
   scene.initial.seed = 1;
   const BuiltScene built = build_scene(scene);
@@ -109,14 +109,14 @@ TEST_CASE("a disturbed pose is the same on every compiler and processor", "[scen
   CHECK(initial_positions(scene.initial, rest, built.pins) == expected);
 }
 
-TEST_CASE("simulate: a scene of defaults is a config of defaults, to the bit", "[scene]") {
+TEST_CASE("simulate: a default scene and a default config give the same bits", "[scene]") {
   Cloth cloth = simulate(Scene{});
   for (int step = 0; step < 10; ++step) cloth.step();
   CHECK(cloth.time() == 10 * Scene{}.solver.dt);
   CHECK(cloth.positions() == of_config(R"("description": "")", 10));
 }
 
-TEST_CASE("simulate: members are what their pointers are in a config, to the bit", "[scene]") {
+TEST_CASE("simulate: members of a scene and settings of a config give the same bits", "[scene]") {
   Scene scene;
   scene.mesh = grid(1, 0.5, 12, Diagonal::alternating);
   scene.pins.vertices = {Place::upper_left, Place::upper_right};
@@ -136,7 +136,7 @@ TEST_CASE("simulate: members are what their pointers are in a config, to the bit
                                        18));
 }
 
-TEST_CASE("simulate: JSON of a scene is that scene again", "[scene]") {
+TEST_CASE("simulate: the JSON of a scene gives the same scene", "[scene]") {
   Scene scene;
   scene.bending.model = Lod{.t = 3};
   scene.bending.stiffness = Stiffness::compliance, scene.bending.compliance = 0.1;
@@ -152,7 +152,7 @@ TEST_CASE("simulate: JSON of a scene is that scene again", "[scene]") {
   CHECK(again.solver.method.as<Newton>()->integrator == Integrator::euler);
 }
 
-TEST_CASE("simulate: everything that is wrong is said at once, by pointer", "[scene]") {
+TEST_CASE("simulate: all mistakes of a scene are reported at once, with pointers", "[scene]") {
   Scene scene;
   scene.mesh.cells = 0;
   scene.material.density = -1;
@@ -167,10 +167,10 @@ TEST_CASE("simulate: a setting that nothing reads is refused", "[scene]") {
   scene.bending.k = 0.7;  // but its stiffness is physical
   CHECK_THAT(refused(scene), ContainsSubstring("/bending/k") && ContainsSubstring("nothing reads it"));
   scene.bending.stiffness = Stiffness::k;
-  CHECK_THAT(refused(scene), ContainsSubstring("/bending/stiffness"));  // which quasi_newton does not take
+  CHECK_THAT(refused(scene), ContainsSubstring("/bending/stiffness"));  // quasi_newton does not support k
 }
 
-TEST_CASE("simulate: structs of one's own need no registration", "[scene]") {
+TEST_CASE("simulate: a user's structs need no registration", "[scene]") {
   Scene scene;
   scene.pins.vertices = {};
   scene.bending.model = Loose{};
@@ -178,18 +178,18 @@ TEST_CASE("simulate: structs of one's own need no registration", "[scene]") {
   scene.solver.method = Ballistic{};
   Cloth cloth = simulate(scene);
   cloth.run(0.5);
-  // v += h a before x += h v: after n substeps of h they have moved by a h² n (n + 1) / 2.
+  // v += h a comes before x += h v, so vertices move by a h² n (n + 1) / 2 in n substeps of h.
   const double n = 0.5 * 60 * 4, h = 0.5 / n;
   const double moved = 3 * h * h * n * (n + 1) / 2;
   CHECK((cloth.positions().col(2).array() - moved).abs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("simulate: a mesh of one's own", "[scene]") {
+TEST_CASE("simulate: a scene may have a user's mesh", "[scene]") {
   Scene scene;
   scene.mesh.given = std::make_shared<TriangleMesh>(equilateral(1, 1, 8));
   scene.pins = {.vertices = {}, .indices = {0}};
   Cloth cloth = simulate(scene);
-  CHECK(cloth.positions().isApprox(scene.mesh.given->positions, 1e-6));  // of single precision
+  CHECK(cloth.positions().isApprox(scene.mesh.given->positions, 1e-6));  // rounding of single precision
   cloth.step();
   CHECK(cloth.triangles() == scene.mesh.given->triangles);
 }

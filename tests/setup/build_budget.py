@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Builds the program without an object cache, and fails where that takes more processor time than its budget.
+"""Builds the program without an object cache, and fails if this takes more processor time than its budget.
 
-The budget is a multiple of what a fixed file takes in the same run (reference_for_build.cpp), because the
-same build takes 1.6 times as long on one machine as on another. Usage: build_budget.py [BUDGET]
+The budget is a multiple of the time for compiling a fixed file (reference_for_build.cpp) in the same call,
+because the same build may take 1.6 times as long on another machine. Usage: build_budget.py [BUDGET]
 """
 import resource
 import shutil
@@ -12,11 +12,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "budget"
-BUDGET = 48.0  # times the reference; it took 42 on 2026-11-25
+BUDGET = 48.0  # times the reference; measured on 2026-11-25: 42
 
 
 def processor_s(command):
-    """Processor time of a command and of what it starts; its output is shown where it fails."""
+    """Processor time, s, of a command and its child processes. If it fails, its output is shown."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     if done.returncode != 0:
@@ -26,7 +26,7 @@ def processor_s(command):
 
 
 def reference_s():
-    """Both cores are busy, as in the build."""
+    """Processor time, s, for compiling the reference. Both cores are busy, as in the build."""
     compile_it = ("g++ -std=c++20 -O2 -w -isystem /usr/include/eigen3 -c -o /dev/null "
                   f"'{Path(__file__).with_name('reference_for_build.cpp')}'")
     return processor_s(["sh", "-c", f"{compile_it} & {compile_it}; wait"]) / 2
@@ -35,7 +35,7 @@ def reference_s():
 def main(budget):
     """Compares the program's build with the reference; True if it is within the budget."""
     shutil.rmtree(BUILD, ignore_errors=True)
-    # `env` in the place of ccache.
+    # `env` replaces ccache.
     processor_s(["cmake", "--preset", "release", "-B", BUILD, "-DCMAKE_CXX_COMPILER_LAUNCHER=/usr/bin/env"])
     before = reference_s()
     built = processor_s(["cmake", "--build", BUILD, "--parallel", "2", "--target", "bendlab_program"])

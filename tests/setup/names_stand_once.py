@@ -1,7 +1,7 @@
-"""Effects, bending models and solver methods are named in their own files only, so that a new one is its
-struct and its file: code elsewhere asks for traits.
+"""Only the file of an effect, bending model or solver method names it. So a new one needs only its struct and
+its file; code elsewhere uses traits.
 
-Excluded are comments, texts of messages, the scenes of benchmarks, and the files that choose defaults.
+Comments, texts of messages, the scenes of benchmarks, and the files that choose defaults are excluded.
 """
 import re
 import unittest
@@ -12,7 +12,7 @@ LISTS = ("lib/bendlab/effects/effects.hpp", "lib/bendlab/bending/models.hpp",
          "lib/bendlab/solver/methods.hpp")
 DEFAULTS = ("lib/bendlab/scene/scene.hpp", "lib/bendlab/scene/defaults.cpp")
 BENCHMARKS = "experiments/bench/"
-# A choice of other settings, two generators of meshes, and a trait of bending models.
+# These names also mean other things: a choice of other settings, two mesh generators, and a trait of models.
 OTHER_MEANINGS = ("none", "disc", "sphere", "prestressed")
 
 
@@ -23,21 +23,21 @@ def code_of(path):
 
 def members():
     """{struct: (name in configs, own file)} of the three families."""
-    found = {}
+    own_files = {}
     for path in sorted((ROOT / "lib/bendlab").rglob("*.cpp")):
         text = path.read_text(encoding="utf-8")
         kinds = re.findall(r'^constinit const \w+Kind (\w+)::kind\{\s*\.name = "(\w+)"', text, re.M)
         for struct, name in kinds:
-            found[struct] = (name, path.relative_to(ROOT).as_posix())
-    return found
+            own_files[struct] = (name, path.relative_to(ROOT).as_posix())
+    return own_files
 
 
-def uses(found):
-    """"FILE:LINE: what is named there" for each name outside its own file."""
-    structs = re.compile(rf"(?<![\w\"/.])({'|'.join(found)})(?=::kind|>|\{{|\*| \w+ ?[={{;)])")
-    struct_of = {name: struct for struct, (name, _) in found.items() if name not in OTHER_MEANINGS}
+def uses(own_files):
+    """"FILE:LINE: STRUCT" for each name outside its own file."""
+    structs = re.compile(rf"(?<![\w\"/.])({'|'.join(own_files)})(?=::kind|>|\{{|\*| \w+ ?[={{;)])")
+    struct_of = {name: struct for struct, (name, _) in own_files.items() if name not in OTHER_MEANINGS}
     names = re.compile(rf"\"({'|'.join(struct_of)})\"")
-    told = []
+    places = []
     for folder in ("lib", "experiments"):
         for path in sorted((ROOT / folder).rglob("*.[ch]pp")):
             file = path.relative_to(ROOT).as_posix()
@@ -45,9 +45,9 @@ def uses(found):
                 continue
             for number, line in enumerate(code_of(path), 1):
                 for struct in [*structs.findall(line), *(struct_of[name] for name in names.findall(line))]:
-                    if found[struct][1] != file:
-                        told.append(f"{file}:{number}: {struct}")
-    return told
+                    if own_files[struct][1] != file:
+                        places.append(f"{file}:{number}: {struct}")
+    return places
 
 
 class NamesStandOnce(unittest.TestCase):
@@ -58,7 +58,7 @@ class NamesStandOnce(unittest.TestCase):
             listed += re.findall(r"\w+", re.search(r"listed_kinds<\w+,([^>]*)>", text)[1])
         self.assertEqual(sorted(listed), sorted(members()))
 
-    def test_no_other_file_names_one(self):
+    def test_no_other_file_names_a_struct(self):
         self.assertEqual(uses(members()), [])
 
 

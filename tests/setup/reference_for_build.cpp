@@ -1,5 +1,5 @@
-// What the time for building bendlab is compared with (build_budget.py), so that the budget means the same on
-// every machine. It never changes, and nothing runs it.
+// The time for compiling this file is the unit of the build budget (build_budget.py), so the budget means the
+// same on every machine. The file must never change, and nothing runs it.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <functional>

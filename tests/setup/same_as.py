@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Whether two builds of the program do the same: for changes that move code and no number.
+"""Checks that two builds of the program do the same, after changes that only move code.
 
     same_as.py OLD NEW [--bits]
 
-Compares what `plan --json` says of every config in configs/, under every choice of /defaults: the settings
-of all runs, defaults filled in. --bits also runs 28 small scenes with both programs (every bending model,
-every method, both precisions, obstacles, folds) and compares the positions in all frames, bit by bit.
-Run by hand, not by ctest, because it needs a program of before. Prints what differs, and exits with 1 then.
+Compares the output of `plan --json` for every config in configs/, under every choice of /defaults: the
+settings of all runs, with defaults filled in. --bits also runs 28 small scenes with both programs (every
+bending model, every method, both precisions, obstacles, folds) and compares the positions in all frames, bit
+by bit. Run by hand, not by ctest, because it needs the old program. Prints the differences, and exits with 1
+if there are any.
 """
 import argparse
 import json
@@ -60,7 +61,8 @@ SCENES = {
     "damping, mesh": {"effects": [GRAVITY, {"type": "constraint_damping", "rate": 4},
                                   {"type": "mesh_obstacle", "file": str(root / "configs/scenes/chair.obj"),
                                    "offset": [0.5, 0.5, -0.6]}, {"type": "friction"}],
-                      "mesh": {"width": 1.5, "height": 1.5, "cells": 60}, "initial": {"perturbation": 1e-4}, "pins": {"vertices": []}},
+                      "mesh": {"width": 1.5, "height": 1.5, "cells": 60}, "initial": {"perturbation": 1e-4},
+                      "pins": {"vertices": []}},
     "damping, disc": {"effects": [GRAVITY, {"type": "constraint_damping", "rate": 4}, {"type": "friction"},
                                   {"type": "disc", "centre": [0.5, 0.5, -0.05], "radius": 0.3},
                                   {"type": "self_collision"}],
@@ -71,7 +73,7 @@ SCENES = {
 
 
 def settings_of(program, config, recipe):
-    """The resolved settings of each run, and what the program said. 1 and 1.0 are the same."""
+    """The resolved settings of each run, and the output on stderr. 1 and 1.0 are equal."""
     overrides = ["--set", f"/defaults={recipe}"] if recipe else []
     done = subprocess.run([program, "plan", config, "--json", "--out", "/nonexistent", *overrides],
                           capture_output=True, text=True)
@@ -92,14 +94,15 @@ def compare_settings(old, new):
     configs = sorted(path for path in (root / "configs").rglob("*.json") if path.name != "schema.json")
     for config in configs:
         for recipe in RECIPES:
-            (before, said), (after, says) = (settings_of(program, config, recipe) for program in (old, new))
-            if before == after and bool(said) == bool(says):
+            (before, old_errors), (after, new_errors) = (settings_of(program, config, recipe)
+                                                         for program in (old, new))
+            if before == after and bool(old_errors) == bool(new_errors):
                 continue
             differ += 1
             pair = next(((a, b) for a, b in zip(before, after) if a != b), None)
-            what = first_difference(*pair) if pair else \
-                f"{len(before)} runs → {len(after)}: {says}"
-            print(f"{config.relative_to(root)}, {recipe}: {what}")
+            difference = first_difference(*pair) if pair else \
+                f"{len(before)} runs → {len(after)}: {new_errors}"
+            print(f"{config.relative_to(root)}, {recipe}: {difference}")
     print(f"settings: {len(configs)} configs under {len(RECIPES)} defaults, {differ} differ")
     return differ
 
@@ -127,7 +130,7 @@ def compare_bits(old, new):
                       for which, program in enumerate((old, new))]
             if frames[0] != frames[1]:
                 differ += 1
-                print(f"{name}: other bits")
+                print(f"{name}: bits differ")
     print(f"bits: {len(SCENES)} scenes, {differ} differ")
     return differ
 

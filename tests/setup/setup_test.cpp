@@ -1,5 +1,5 @@
-// The start script, run in a copy of its own with stand-ins for dpkg, apt-get, sudo, cmake and ctest that
-// write down how they were called: what it installs and when, what it builds and runs, from any folder and a
+// The start script runs in a copy of the checkout. Stand-ins for dpkg, apt-get, sudo, cmake and ctest record
+// how they were called. The tests check when the script installs, builds and runs, from any folder and in a
 // path with spaces.
 #include <sys/wait.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ std::string read(const fs::path& file) {
   return text.str();
 }
 
-/// A checkout with nothing but the script, and a folder of stand-ins that comes first on PATH.
+/// A checkout that contains only the script, and a folder of stand-ins that comes first on PATH.
 class Checkout {
  public:
   Checkout() {
@@ -40,7 +40,7 @@ class Checkout {
     stand_in("sudo", "note \"sudo $*\"; [ \"$1\" = -n ] && shift; \"$@\"");
     stand_in("id", "echo ${USER_ID-0}");
     stand_in("ctest", "note \"ctest $* in $PWD\"; echo '100% tests passed'");
-    // Configuring leaves a cache, building leaves a program that tells where and how it was called.
+    // Configuring creates a cache. Building creates a program that prints its arguments and its folder.
     stand_in("cmake", R"(note "cmake $*"
 if [ "$1" = --preset ]; then
   mkdir -p build/release/bin; touch build/release/build.ninja
@@ -52,7 +52,7 @@ fi)");
   }
   ~Checkout() { fs::remove_all(root_); }
 
-  /// Runs the script from another folder, without terminal and input; `settings` are VARIABLE=value for
+  /// Runs the script from another folder, without terminal and input. `settings` are VARIABLE=value for the
   /// stand-ins.
   int run(const std::string& arguments, const std::string& settings = "") {
     fs::remove(root_ / "calls");
@@ -80,7 +80,7 @@ fi)");
   fs::path root_ = fs::temp_directory_path() / ("bendlab set-up test " + std::to_string(getpid()));
 };
 
-TEST_CASE("With every package there, the start script builds and runs without the network", "[setup]") {
+TEST_CASE("With all packages installed, the start script builds and runs without the network", "[setup]") {
   Checkout checkout;
   REQUIRE(checkout.run("run 'a b.json' --jobs 2") == 0);
   CHECK(checkout.out() ==
@@ -89,12 +89,12 @@ TEST_CASE("With every package there, the start script builds and runs without th
   CHECK_THAT(checkout.calls(), ContainsSubstring("cmake --preset release\n"));
   CHECK_THAT(checkout.calls(), ContainsSubstring("--target bendlab_program"));
 
-  SECTION("the second time it only builds") {
+  SECTION("the second time the script only builds") {
     REQUIRE(checkout.run("list") == 0);
     CHECK_THAT(checkout.calls(), !ContainsSubstring("--preset"));
     CHECK(checkout.err().empty());
   }
-  SECTION("a checkout that was moved is configured afresh") {
+  SECTION("a checkout that was moved is configured again") {
     std::ofstream(checkout.folder("check out") / "build/release/CMakeCache.txt")
         << "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n";
     REQUIRE(checkout.run("list") == 0);
@@ -102,7 +102,7 @@ TEST_CASE("With every package there, the start script builds and runs without th
   }
 }
 
-TEST_CASE("The start script installs what is missing and nothing else", "[setup]") {
+TEST_CASE("The start script installs missing packages and nothing else", "[setup]") {
   Checkout checkout;
   SECTION("as root") {
     REQUIRE(checkout.run("list", "ABSENT=libcgal-dev") == 0);
@@ -112,14 +112,14 @@ TEST_CASE("The start script installs what is missing and nothing else", "[setup]
                                  "apt-get install -y --no-install-recommends libcgal-dev\n"));
     CHECK_THAT(checkout.calls(), !ContainsSubstring("sudo"));
   }
-  SECTION("as somebody else, with sudo that must not ask where nobody can answer") {
+  SECTION("as another user, with sudo that must not ask for a password without a terminal") {
     REQUIRE(checkout.run("list", "ABSENT=ninja-build USER_ID=1000") == 0);
     CHECK_THAT(checkout.calls(),
                ContainsSubstring("sudo -n env DEBIAN_FRONTEND=noninteractive apt-get install"));
   }
 }
 
-TEST_CASE("A build that fails is shown and nothing is run", "[setup]") {
+TEST_CASE("If the build fails, its output is shown and nothing is run", "[setup]") {
   Checkout checkout;
   CHECK(checkout.run("list", "BROKEN=1") == 1);
   CHECK_THAT(checkout.err(), ContainsSubstring("error: no such type"));
@@ -135,7 +135,7 @@ TEST_CASE("The test command ends with ctest's own summary", "[setup]") {
   CHECK_THAT(checkout.calls(), !ContainsSubstring("--target"));  // everything is built
 }
 
-TEST_CASE("The package list stands in one place", "[setup]") {
+TEST_CASE("The list of packages is in a single file", "[setup]") {
   CHECK_THAT(read(source / "bendlab"), ContainsSubstring("libcgal-dev"));
   for (const char* other : {"README.md", ".ci/run", "CMakeLists.txt", "experiments/CMakeLists.txt"}) {
     INFO(other);
@@ -144,7 +144,7 @@ TEST_CASE("The package list stands in one place", "[setup]") {
   }
 }
 
-TEST_CASE("The Python that was found has what the scripts import", "[setup]") {
+TEST_CASE("The Python of the tests has the modules that the scripts import", "[setup]") {
   CHECK(std::system(
             ("'" + std::string(bendlab::places::python) + "' -c 'import numpy, h5py, matplotlib'").c_str()) ==
         0);

@@ -1,4 +1,5 @@
-// Coarse levels: what they leave alone, what they keep, and what they are for.
+// Coarse levels of the solver: shapes that they do not change, momentum that they keep, and stretch that they
+// reduce.
 #include "bendlab/solver/coarse_levels.hpp"
 
 #include <cmath>
@@ -25,7 +26,7 @@ Points<double> points_at(const SimulationInput& input, const Positions& at) {
   return points;
 }
 
-// Where one correction of a substep of 1 ms moves the cloth from `at`.
+// How one correction in a substep of 1 ms moves the vertices from `at`, m.
 Positions moves_by_levels(const SimulationInput& input, const Positions& at) {
   CoarseLevels<double> levels(input, as_many_as_there_are);
   REQUIRE(levels.count() >= 2);
@@ -38,7 +39,7 @@ Positions moves_by_levels(const SimulationInput& input, const Positions& at) {
   return moves;
 }
 
-// A developable surface over a flat mesh: x runs along an arc.
+// The flat mesh rolled up: x runs along an arc. The surface is developable.
 Positions rolled(const Positions& flat, double radius) {
   Positions x = flat;
   for (Eigen::Index v = 0; v < x.rows(); ++v)
@@ -69,7 +70,7 @@ RestMesh with_a_hole() {
   return RestMesh(mesh);
 }
 
-// By its upper side, straight down from 0.5 to -0.5.
+// A sheet that hangs by its upper side, straight down from 0.5 m to -0.5 m.
 SimulationInput hanging(const RestMesh& rest, StiffnessKind kind, double compliance) {
   SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
   input.strain_stiffness = {.form = StrainForm::angle, .kind = kind, .compliance = compliance};
@@ -85,7 +86,7 @@ Triangles triangles_of(const SimulationInput& input) {
   return triangles;
 }
 
-// How much lower than -0.5 its lower side comes to rest, in the mean.
+// By how much, on average, the lower side comes to rest below -0.5 m.
 double stretch_after(SimulationInput input, int levels, int substeps, double seconds) {
   input.settings.substeps = substeps, input.settings.iterations = 1;
   input.method = Pbd{.levels = levels};
@@ -104,7 +105,7 @@ double stretch_after(SimulationInput input, int levels, int substeps, double sec
 
 }  // namespace
 
-TEST_CASE("levels leave every shape alone that the cloth takes without stretching", "[solver]") {
+TEST_CASE("coarse levels do not move cloth that is bent without stretch", "[solver]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 16, 16), grid(1, 1, 15, 15, Diagonal::both),
                                    equilateral(1, 1, 16), delaunay(1, 1, 16, 3), disc(0.5, 8)}) {
     const RestMesh rest(mesh);
@@ -115,14 +116,15 @@ TEST_CASE("levels leave every shape alone that the cloth takes without stretchin
   }
 }
 
-TEST_CASE("a span across a hole is as long as the way around it", "[solver]") {
-  // The sides of the hole move apart as far as the cloth lets them: a fold at x = ±0.3 opens.
+TEST_CASE("a span of a coarse level across a hole is as long as the way around the hole", "[solver]") {
+  // The sides of the hole may move apart as far as the cloth allows: a fold at x = ±0.3 opens. So no span is
+  // too long at rest, and nothing moves.
   const RestMesh rest = with_a_hole();
   const SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   CHECK(moves_by_levels(input, rest.positions()).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-TEST_CASE("levels keep a free cloth's momentum", "[solver]") {
+TEST_CASE("coarse levels keep the momentum of a free cloth", "[solver]") {
   const RestMesh rest(delaunay(1, 1, 18, 5));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   Positions stretched = rest.positions();
@@ -135,7 +137,7 @@ TEST_CASE("levels keep a free cloth's momentum", "[solver]") {
   CHECK(moved.norm() < 1e-15 * static_cast<double>(moves.rows()));  // roundings of sums
 }
 
-TEST_CASE("pinned vertices stay, and what hangs on them is drawn to them", "[solver]") {
+TEST_CASE("coarse levels do not move pinned vertices, and pull the cloth towards them", "[solver]") {
   const RestMesh rest(grid(1, 1, 24, 24));
   const SimulationInput input =
       test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
@@ -148,7 +150,7 @@ TEST_CASE("pinned vertices stay, and what hangs on them is drawn to them", "[sol
       CHECK(moves.row(v).norm() == 0);
     else
       CHECK(moves(v, 1) >= -1e-12);
-  // The lower half knows of the pins after one correction: without levels it would take ten iterations.
+  // One correction moves the lower half. Without levels this would take ten iterations.
   Vector3 lower = Vector3::Zero();
   int count = 0;
   for (Eigen::Index v = 0; v < moves.rows(); ++v)
@@ -156,7 +158,7 @@ TEST_CASE("pinned vertices stay, and what hangs on them is drawn to them", "[sol
   CHECK(lower.y() / count > 0.01);
 }
 
-TEST_CASE("with levels a few substeps hold a hanging sheet", "[solver]") {
+TEST_CASE("with coarse levels, few substeps keep a hanging sheet from stretching", "[solver]") {
   const RestMesh rest(grid(1, 1, 24, 24));
   for (const auto& [kind, compliance] :
        {std::pair(StiffnessKind::k, 0.0), std::pair(StiffnessKind::compliance, 1e-7)}) {
@@ -165,14 +167,14 @@ TEST_CASE("with levels a few substeps hold a hanging sheet", "[solver]") {
                  without = stretch_after(input, 0, 2, 4);
     CHECK(with < 0.25 * without);
     const double finer = stretch_after(input, as_many_as_there_are, 8, 4);
-    CHECK(finer < 0.25 * with);  // second order in h: 1/16; half of that is asked
+    CHECK(finer < 0.25 * with);  // of second order in h, 1/16; half of that is enough
     CHECK(finer > -1e-6);
   }
 }
 
-TEST_CASE("levels of a soft membrane leave most of its stretch", "[solver]") {
-  // A strip of Y = 20 N/m under its own weight, ρ g L² / 2Y = 0.05 m longer at rest. Spans resist beside the
-  // triangles, each level with a sixtieth of their stiffness along several directions.
+TEST_CASE("coarse levels keep most of the stretch of a soft membrane", "[solver]") {
+  // At rest under its own weight, a strip of Y = 20 N/m is ρ g L² / 2Y = 0.05 m longer. Spans of coarse
+  // levels resist, too: each level has a sixtieth of the triangles' stiffness, along several directions.
   const RestMesh rest(grid(1, 1, 12, 12));
   const SimulationInput input = hanging(rest, StiffnessKind::compliance, 1.0 / 20);
   const double stretch = 0.2 * 9.81 / (2 * 20);
@@ -182,15 +184,16 @@ TEST_CASE("levels of a soft membrane leave most of its stretch", "[solver]") {
   CHECK(with < without);
 }
 
-// Across are √2 / 0.095 = 14.9 mean edges.
-TEST_CASE("with as many substeps as edges across the cloth there are no levels", "[solver]") {
+// The diagonal of the cloth is √2 / 0.095 = 14.9 mean edges long.
+TEST_CASE("there are no coarse levels if substeps are at least as many as edges across the cloth",
+          "[solver]") {
   const RestMesh rest(grid(1, 1, 12, 12));
   const SimulationInput input = hanging(rest, StiffnessKind::compliance, 1e-4);
   CHECK(stretch_after(input, 12, 14, 0.5) != stretch_after(input, 0, 14, 0.5));
   CHECK(stretch_after(input, 12, 15, 0.5) == stretch_after(input, 0, 15, 0.5));
 }
 
-TEST_CASE("levels refuse a membrane that does not resist everywhere", "[solver]") {
+TEST_CASE("coarse levels refuse a membrane that does not resist all strain", "[solver]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   input.strain_stiffness.shear = 0;
@@ -198,7 +201,7 @@ TEST_CASE("levels refuse a membrane that does not resist everywhere", "[solver]"
   CHECK(CoarseLevels<double>(input, 0).count() == 0);
 }
 
-TEST_CASE("levels end where a mesh has no more than a few points", "[solver]") {
+TEST_CASE("the coarsest level has a few points", "[solver]") {
   const RestMesh small(grid(1, 1, 2, 2)), large(grid(1, 1, 32, 32));
   const auto count = [](const RestMesh& rest, int most) {
     return CoarseLevels<double>(test::sheet(rest, make_pins(rest, {}, 0), "none"), most).count();
@@ -206,11 +209,11 @@ TEST_CASE("levels end where a mesh has no more than a few points", "[solver]") {
   CHECK(count(small, as_many_as_there_are) <= 1);
   CHECK(count(large, 1) == 1);
   CHECK(count(large, as_many_as_there_are) >= 3);
-  CHECK(count(large, as_many_as_there_are) <= 5);  // 1024 vertices, a quarter with each level
+  CHECK(count(large, as_many_as_there_are) <= 5);  // 1024 vertices; each level has a quarter of the points
 }
 
-TEST_CASE("levels give the same bits on one thread and on two", "[solver]") {
-  const RestMesh rest(grid(1, 1, 140, 140));  // more points than a second thread is worthwhile for
+TEST_CASE("coarse levels give the same bits with one thread and with two", "[solver]") {
+  const RestMesh rest(grid(1, 1, 140, 140));  // so many points that a second thread is used
   const auto last = [&](int threads) {
     SimulationInput input = hanging(rest, StiffnessKind::compliance, 1e-4);
     input.settings.threads = threads, input.settings.substeps = 2, input.settings.iterations = 1;

@@ -24,7 +24,7 @@ void check_order(const BatchOrder& order, const Vertices& vertices) {
     for (std::size_t stack = order.colours[colour]; stack < order.colours[colour + 1]; ++stack) {
       REQUIRE(order.stacks[stack] % max_lanes == 0);
       for (std::size_t lane = 0; lane < max_lanes; ++lane) {
-        std::set<int> touched_in_lane;  // a star, or a single constraint
+        std::set<int> touched_in_lane;  // by a star or a single constraint
         int centre = -1;
         bool ended = false;
         for (std::size_t at = order.stacks[stack] + lane; at < order.stacks[stack + 1]; at += max_lanes) {
@@ -47,7 +47,7 @@ void check_order(const BatchOrder& order, const Vertices& vertices) {
 
 using Pairs = std::vector<std::array<int, 2>>;
 
-// What colouring.hpp says of star_order(), word by word: the pairs of each lane.
+// The pairs of each lane, by a literal implementation of the definition of star_order() in colouring.hpp.
 std::vector<int> lanes_by_definition(const Pairs& pairs, int vertex_count) {
   using Star = std::vector<int>;
   std::vector<std::vector<Star>> stars_of(static_cast<std::size_t>(vertex_count));
@@ -93,7 +93,7 @@ std::vector<int> lanes_by_definition(const Pairs& pairs, int vertex_count) {
 
 }  // namespace
 
-TEST_CASE("a colouring is a colouring", "[solver]") {
+TEST_CASE("constraints of one colour share no vertex", "[solver]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 8, 8), delaunay(1, 1, 8, 3), disc(1, 5)}) {
     const RestMesh rest(mesh);
     const Pins pins = make_pins(rest, {0}, 1);
@@ -108,25 +108,25 @@ TEST_CASE("a colouring is a colouring", "[solver]") {
 }
 
 TEST_CASE("greedy colouring needs fewer than twice the degree", "[solver]") {
-  // An edge meets at most 2 (degree - 1) others, so first-fit uses at most 2 degree - 1 colours. Interior
-  // degree: 6.
+  // An edge shares a vertex with at most 2 (degree - 1) other edges, so first-fit uses at most 2 degree - 1
+  // colours. The degree is 6 in the interior.
   const RestMesh rest(grid(1, 1, 12, 12));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   CHECK(colour_order(test::plain(input.distance.vertices), rest.vertex_count()).colours.size() - 1 <= 11);
 }
 
 TEST_CASE("stars fill their lanes", "[solver]") {
-  // A colour of n stars pads at most 15 of them, and stars of an inner vertex are equally long: on a mesh
-  // with hundreds of stars a colour few lanes are empty.
+  // A colour has at most 15 padding stars, and all stars of inner vertices are equally long. So few lanes are
+  // empty on a mesh with hundreds of stars per colour.
   const RestMesh rest(grid(1, 1, 128, 128));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "adaptive");
   const BatchOrder order = star_order(input.distance.vertices, rest.vertex_count());
   CHECK(static_cast<double>(order.lane_count()) <= 1.05 * static_cast<double>(input.distance.size()));
-  // In a stack of four every spring but the first finds its centre in a register.
+  // In a stack of four, every spring except the first finds its centre in a register.
   CHECK(order.stack_count() * max_lanes < input.distance.size() / 3);
 }
 
-TEST_CASE("the order of stars is that of their definition, whatever the order of the list", "[solver]") {
+TEST_CASE("star_order agrees with its definition for any order of the list", "[solver]") {
   const RestMesh rest(grid(1, 1, 40, 40));
   const PairList listed = test::sheet(rest, make_pins(rest, {0}, 1), "adaptive").distance.vertices;
   Pairs shuffled = test::plain(listed);
@@ -140,7 +140,7 @@ TEST_CASE("the order of stars is that of their definition, whatever the order of
           lanes_by_definition(pairs, rest.vertex_count()));
 }
 
-TEST_CASE("an order takes five bytes a star if the list has one vertex after another", "[solver]") {
+TEST_CASE("an order takes five bytes per star if the list is sorted by vertex", "[solver]") {
   const RestMesh rest(grid(1, 1, 64, 64));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "adaptive");
   const BatchOrder order = star_order(input.distance.vertices, rest.vertex_count());
@@ -149,7 +149,7 @@ TEST_CASE("an order takes five bytes a star if the list has one vertex after ano
   CHECK(order.length.size() == order.first.size());
 }
 
-TEST_CASE("list order keeps the list", "[solver]") {
+TEST_CASE("list order keeps the order of the list", "[solver]") {
   const BatchOrder order = list_order(20);
   CHECK_FALSE(order.conflict_free);
   const std::vector<int> constraint_of_lane = order.constraint_of_lane();

@@ -1,4 +1,5 @@
-// What the coloured order costs: sweeps until its strain error is that of the mesh order.
+// The cost of the coloured order: how many more sweeps it needs than the mesh order for the same strain
+// error.
 #include "experiments/bench/convergence.hpp"
 
 #include <array>
@@ -8,13 +9,13 @@
 
 namespace bendlab {
 
-// Once errors are smooth, Gauss-Seidel by colour and in list order contract alike (Young 1954 for two
-// colours, Adams & Jordan, "Is SOR color-blind?", 1986, for more). What differs is how far a correction gets
-// in one sweep: in list order across the whole sheet, where the list runs its way; by colour over a few
-// edges, at least one, because every constraint acts after another one that shares a vertex with it, or
-// before. So list order has a head start of at most the sweeps in which colours carry a correction across: as
-// many as there are edges along the sheet.
-TEST_CASE("the coloured order leaves the strain error of the mesh order a sheet's crossing later",
+// Once errors are smooth, Gauss-Seidel by colour and in list order converge at the same rate (Young 1954 for
+// two colours; Adams & Jordan, "Is SOR color-blind?", 1986, for more colours). The difference is how far a
+// correction travels in one sweep. In list order it can cross the whole sheet, in the direction of the list.
+// By colour it crosses a few edges, at least one, because of any two constraints that share a vertex one acts
+// after the other. So list order has a head start of at most as many sweeps as there are edges along the
+// sheet.
+TEST_CASE("the coloured order reaches the strain error of the mesh order within the sweeps to cross a sheet",
           "[solver]") {
   constexpr std::array sweeps = {1, 5, 10, 20};
   for (const ConvergenceScene& scene : convergence_scenes()) {

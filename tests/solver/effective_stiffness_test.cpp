@@ -1,5 +1,5 @@
-// How much of a stated stiffness the solver realises, against single constraints, a projection sweep that is
-// solved by hand, and strips.
+// The effective stiffness: which share of the stated stiffness the solver realises. It is compared with
+// single constraints, with a projection sweep solved by hand, and with strips.
 #include "bendlab/constraints/effective_stiffness.hpp"
 
 #include <Eigen/Dense>
@@ -25,7 +25,7 @@ std::unique_ptr<Simulation> in_gravity(const SimulationInput& input) {
       input, test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -gravity}));
 }
 
-// Two triangles with one free corner that only their hinge carries.
+// Two triangles with one free corner, which only the hinge holds up.
 SimulationInput one_hinge(double size = 0.1) {
   const RestMesh rest(grid(size, size, 1, 1));
   const std::array<int, 4> corner = rest_hinges(rest, make_pins(rest, {}, 0)).at(0).vertices;
@@ -40,7 +40,7 @@ RestMesh strip_mesh() {
   return RestMesh(equilateral(0.25, 0.14, 10, Rows::perpendicular));
 }
 
-// A strip of a lattice along x, its first cells clamped, of the flexural rigidity `rigidity` (N m).
+// A strip of a lattice along x with the flexural rigidity `rigidity` (N m). Its first cells are clamped.
 SimulationInput strip(double rigidity, const char* model = "dihedral") {
   const RestMesh rest = strip_mesh();
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
@@ -56,7 +56,7 @@ struct Settled {
   double droop, share;  // m, 1
 };
 
-// After two seconds of strong drag; its slowest mode falls by more than e⁻⁵ a second.
+// The strip after two seconds with strong drag. Its slowest mode decays by more than e⁻⁵ per second.
 template <class Real>
 Settled settled(SimulationInput input, int substeps) {
   input.settings.substeps = substeps, input.settings.iterations = 1;
@@ -73,9 +73,9 @@ Settled settled(SimulationInput input, int substeps) {
 
 }  // namespace
 
-TEST_CASE("what rounding a hinge's angle has follows from its gradient", "[effective stiffness]") {
-  // Two right triangles on the diagonal of a square, of height h = size / √2: |∇θ| is 1 / h at all four
-  // corners.
+TEST_CASE("the rounding of a hinge's angle follows from its gradient", "[effective stiffness]") {
+  // Two right triangles share the diagonal of a square and have the height h = size / √2. So |∇θ| is 1 / h at
+  // all four corners.
   for (const double size : {0.1, 10.0}) {
     SimulationInput input = one_hinge(size);
     const auto simulation = make_simulation<double>(input, {});
@@ -95,12 +95,13 @@ TEMPLATE_TEST_CASE("a single hinge has the stated stiffness", "[effective stiffn
   const auto simulation = in_gravity<TestType>(input);
   for (int step = 0; step < 20; ++step) REQUIRE(simulation->step());
   const EffectiveStiffness stiffness = simulation->effective_stiffness().value();
-  // λ solves for itself alone; in float λ and the angle each round to about 10⁻⁵ of themselves.
+  // With a single hinge, the projection finds λ exactly. In float, λ and the angle have relative errors of
+  // about 10⁻⁵.
   CHECK_THAT(stiffness.bending_share().value(), WithinRel(1.0, sizeof(TestType) == 4 ? 1e-3 : 1e-6));
   CHECK(!stiffness.membrane_share());
 }
 
-TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffness]") {
+TEST_CASE("the effective stiffness of a batch follows from its multipliers", "[effective stiffness]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins pins = make_pins(rest, {}, 0);
   const ElementList<HingeAngle> list = angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle,
@@ -132,19 +133,19 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
     return effective_stiffness(constraints, {at, at_rest, free, h, 1e-12}).bending_share();
   };
   CHECK_THAT(measured(positions).value(), WithinRel(share, 1e-9));
-  CHECK(!measured(at_rest));  // not bent: no share of nothing
+  CHECK(!measured(at_rest));  // a sheet that is not bent has no share
   batch.kind = StiffnessKind::k;
-  CHECK(!measured(positions));  // k is no stiffness
+  CHECK(!measured(positions));  // k is not a physical stiffness
 }
 
-TEST_CASE("springs are measured by the bend and not by what the membrane gives way",
+TEST_CASE("the effective stiffness of springs follows from the bend, not from the stretch of the membrane",
           "[effective stiffness]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   Constraints<double> constraints;
   const auto in_list_order = [](std::size_t count) {
     BatchOrder order{.stacks = {0}, .colours = {0}};
-    // A stack for each star: one spring and padding.
+    // Each stack has a single constraint and padding.
     for (std::size_t c = 0; c < count; ++c) {
       order.first.push_back(static_cast<int>(c));
       while (order.first.size() % max_lanes != 0) order.first.push_back(-1);
@@ -175,21 +176,23 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
     for (int v = 0; v < rest.vertex_count(); ++v) positions.push_back(scale * bent.row(v).transpose());
     return effective_stiffness(constraints, {positions, at_rest, free, h, 1e-12}).bending_share().value();
   };
-  // C is κ² r³ / 24. The edges on the cylinder are chords, shorter than arcs by 1/t² of it, which counts for
-  // the membrane: with springs of t edges the share is 1 / (1 - 1/t²), which is 4/3 for two, and those of one
-  // edge have no say.
+  // C is κ² r³ / 24. Edges on the cylinder are chords and shorter than their arcs by 1/t² of C, which counts
+  // as a strain of the membrane. So springs over t edges have the share 1 / (1 - 1/t²), which is 4/3 for t =
+  // 2. Springs along a single edge do not count.
   CHECK(share(1) > 1);
   CHECK(share(1) < 1.4);
-  // A membrane that lengthens by 10⁻³, more than springs shorten (10⁻³ of t²/24), bends no less.
+  // A stretch of the membrane by 10⁻³, which is more than springs shorten (t²/24 · 10⁻³), does not change the
+  // share.
   CHECK_THAT(share(1.001), WithinRel(share(1), 0.01));
 }
 
-TEST_CASE("a sweep that has not converged leaves the share that a dense solve by hand leaves",
+TEST_CASE("the share after a sweep that has not converged agrees with a dense computation",
           "[effective stiffness]") {
   const Sweep sweep = GENERATE(Sweep::forward, Sweep::symmetric);
   const int iterations = GENERATE(1, 3);
   CAPTURE(sweep == Sweep::symmetric, iterations);
-  // A strip of hinges alone, clamped, a millionth of its size out of plane: angles are linear in the heights.
+  // A clamped strip with hinges alone. Heights are a millionth of its size, so angles are linear in the
+  // heights.
   const RestMesh rest(grid(0.8, 0.1, 8, 1));
   SimulationInput input =
       test::sheet(rest, make_pins(rest, select_vertices(rest, Place::left), 0), "dihedral");
@@ -211,7 +214,7 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
 
   const auto& hinges = std::get<ElementList<HingeAngle>>(input.elements);
   const auto number = static_cast<Eigen::Index>(hinges.size());
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(number, count);  // dθ/dz, by differences of the angle
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(number, count);  // dθ/dz, by difference quotients
   for (Eigen::Index c = 0; c < number; ++c)
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& corner = hinges.vertices[static_cast<std::size_t>(c)];
@@ -237,17 +240,17 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
                spent = lambda.cwiseProduct(alpha).dot(lambda);
   const double share = std::cbrt(applied / stated * std::pow(spent / applied, 2));
   REQUIRE(share > 0.05);
-  REQUIRE(share < 0.95);  // it has not converged: the test says something
+  REQUIRE(share < 0.95);  // not converged, so the test means something
 
   const auto simulation = make_simulation<double>(input, {});
   REQUIRE(simulation->step());
-  // Angles of 10⁻⁵ are linear to 10⁻¹⁰ of themselves; the difference quotient and rounding leave 10⁻⁶.
+  // Angles of 10⁻⁵ are linear up to a relative 10⁻¹⁰. Difference quotients and rounding add 10⁻⁶.
   const EffectiveStiffness measured = simulation->effective_stiffness().value();
   CHECK_THAT(measured.hinges.applied / measured.hinges.stated, WithinRel(applied / stated, 1e-4));
   CHECK_THAT(measured.bending_share().value(), WithinRel(share, 1e-4));
 }
 
-TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[effective stiffness]", float,
+TEMPLATE_TEST_CASE("a strip sinks as its effective stiffness predicts", "[effective stiffness]", float,
                    double) {
   SimulationInput input = strip(0.02);
   SECTION("forward") {}
@@ -258,15 +261,15 @@ TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[eff
     input.method = Pbd{.order = ConstraintOrder::mesh};
   }
   const Settled cheap = settled<TestType>(input, 8), converged = settled<TestType>(input, 64);
-  // Small deflections go with 1 / B.
+  // Small deflections are proportional to 1 / B.
   const double measured = converged.droop / cheap.droop * converged.share;
   CAPTURE(measured, cheap.share, converged.share, cheap.droop);
   CHECK(converged.share > 0.9);
   CHECK(measured < 0.7);
-  CHECK_THAT(cheap.share, WithinRel(measured, 0.2));  // what the issue asks for
+  CHECK_THAT(cheap.share, WithinRel(measured, 0.2));  // the required accuracy
 }
 
-TEST_CASE("a hanging membrane stretches as far as its effective stiffness says", "[effective stiffness]") {
+TEST_CASE("a hanging membrane stretches as its effective stiffness predicts", "[effective stiffness]") {
   const RestMesh rest(grid(0.1, 0.3, 4, 12));
   SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
   const double compliance = 0.02, density = 0.2, length = 0.3;
@@ -285,8 +288,8 @@ TEST_CASE("a hanging membrane stretches as far as its effective stiffness says",
   CHECK_THAT(share, WithinRel(stated / elongation, 0.2));
 }
 
-TEMPLATE_TEST_CASE("a flat sheet at rest, and one with k, have no share", "[effective stiffness]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a flat sheet at rest and a sheet with k have no effective stiffness",
+                   "[effective stiffness]", float, double) {
   SimulationInput input = strip(0.02);
   SECTION("flat") {
     const auto simulation = make_simulation<TestType>(input, {});

@@ -1,4 +1,4 @@
-// Energy without driving: what a scene starts with is all there is.
+// Without a driving force, the total energy never exceeds the energy at the start.
 #include "bendlab/constraints/energy.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -8,8 +8,9 @@ namespace {
 
 constexpr double membrane_compliance = 1e-3;  // m/N
 
-// Springs of 100 N/m; for the others a flexural rigidity of the order of 10⁻⁴ N m, a stiff cotton. (Far
-// stiffer ones are not converged in a step, and what they lack counts as energy: |C|² / 2α.)
+// Springs have 100 N/m. Other models have a flexural rigidity of the order of 10⁻⁴ N m, like a stiff cotton.
+// (The iterations of a step do not converge for far stiffer cloth, and the remaining error counts as energy:
+// |C|² / 2α.)
 double bending_compliance(const BendingKind& model) {
   return model.springs_only ? 1e-2 : 1e4;
 }
@@ -29,8 +30,8 @@ double total_energy(const SimulationInput& input, const Simulation& simulation) 
 }  // namespace
 
 TEST_CASE("energy without driving never rises above its start", "[solver]") {
-  // A sheet swings down from its corner; XPBD, where elastic energy means something. Single steps may rise:
-  // counted.
+  // A sheet swings down from its corner. The method is XPBD, for which elastic energy is defined. The energy
+  // may rise in single steps, which the test counts.
   const RestMesh rest(grid(1, 1, 12, 12));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   std::string counts;
@@ -43,7 +44,8 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
       std::vector<Pass<double>> passes = test::effect_passes<double>("gravity");
       if (damped) passes.push_back(test::effect_passes<double>("rigid_damping").front());
       const auto simulation = make_simulation<double>(input, std::move(passes));
-      const double start = total_energy(input, *simulation), scale = 0.2 * 9.81 * 0.5;  // falls half its size
+      const double start = total_energy(input, *simulation),
+                   scale = 0.2 * 9.81 * 0.5;  // J: it falls by half its size
       double last = start, highest = start;
       int rises = 0;
       for (int step = 0; step < 240; ++step) {
@@ -53,16 +55,17 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
         last = now, highest = std::max(highest, now);
       }
       INFO(model->name << (damped ? ", damped" : ""));
-      // v += h g, then x += h v loses ½ m g² h² a step to the exact fall, and solving constraints dissipates:
-      // nothing above the start but rounding.
+      // v += h g, x += h v loses ½ m g² h² per step compared with the exact fall, and projections dissipate
+      // energy. So only rounding can exceed the energy at the start.
       CHECK(highest <= start + 1e-9 * scale);
       counts += std::string(model->name) + (damped ? " (damped) " : " ") + std::to_string(rises) + ", ";
     }
   WARN("steps of 240 in which energy rose: " << counts);
 }
 
-TEST_CASE("energy of a triangle: the closed form of every strain form", "[solver]") {
-  // Warp along x and weft along y, both of 1 m: A = 1/2. Stretched by s, sheared by the angle φ.
+TEST_CASE("the energy of a triangle agrees with the closed form of every strain form", "[solver]") {
+  // Warp is along x and weft along y, both sides are 1 m long: A = 1/2. The triangle is stretched by s and
+  // sheared by the angle φ.
   const RestMesh rest({(Positions(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
                        (Triangles(1, 3) << 0, 1, 2).finished(),
                        {}});

@@ -1,4 +1,4 @@
-// Static equilibria against closed forms: of a spring, a chain, a strip that hangs or stands.
+// Static equilibria agree with closed forms for a spring, a chain, and a strip that hangs or stands.
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -25,7 +25,7 @@ SimulationInput compliant(SimulationInput input, double strain_compliance, doubl
   return input;
 }
 
-// To the equilibrium under gravity along -z.
+// Runs to the equilibrium under gravity along -z.
 std::unique_ptr<Simulation> balanced(const SimulationInput& input, int steps = 400) {
   auto simulation = make_simulation<double>(
       input, test::effect_passes<double>("gravity", "acceleration", std::vector<double>{0, 0, -gravity}));
@@ -33,14 +33,14 @@ std::unique_ptr<Simulation> balanced(const SimulationInput& input, int steps = 4
   return simulation;
 }
 
-// A strip of length `length` beyond a clamp of two rows of an equilateral lattice that lie along the clamp,
-// with a hinge energy whose flexural rigidity is `rigidity`. As wide as long, and hardly stretchable: else it
-// curls up across its length along the free sides, and B is less than D there.
+// A strip of an equilateral lattice with a hinge energy of the flexural rigidity `rigidity`. Two rows along
+// one side are clamped, and the strip has the length `length` beyond the clamp. It is as wide as long and
+// hardly stretchable. Otherwise it would curl up along its free sides, where B is less than D.
 struct Strip {
   RestMesh rest;
   Pins pins;
   SimulationInput input{.method = Pbd{}};
-  double length = 0, row = 0;  // m: beyond the last pinned row, between rows
+  double length = 0, row = 0;  // m: beyond the last pinned row; between two rows
 
   Strip(int cells, double rigidity)
       : rest(equilateral(0.25, 0.25, cells, Rows::perpendicular)),
@@ -63,14 +63,14 @@ struct Strip {
 
 }  // namespace
 
-TEST_CASE("a system's gradient and Hessian are the derivatives of its energy", "[solver]") {
+TEST_CASE("the gradient and Hessian of a system are the derivatives of its energy", "[solver]") {
   const RestMesh rest(delaunay(1, 1, 3, 2));
   const Pins pins = make_pins(rest, {0}, 0);
   std::mt19937_64 random(7);
   for (const std::string_view model : {"crossover", "discrete_shells", "bridson", "isometric", "choi_ko"}) {
     SimulationInput input = compliant(test::sheet(rest, pins, model), 0.3, 0.7);
     input.strain_stiffness.area = 1;
-    // Compressed: a segment of Choi and Ko's then is past the kink at its rest length.
+    // Choi and Ko's segments are compressed, so they are beyond the kink at their rest length.
     input.positions *= model == "choi_ko" ? 0.8 : 1.0;
     for (int v = 0; v < rest.vertex_count(); ++v)
       input.positions.row(v) += test::random_vector(random, 0.05).transpose();
@@ -80,8 +80,8 @@ TEST_CASE("a system's gradient and Hessian are the derivatives of its energy", "
     const Eigen::MatrixXd hessian =
         Eigen::MatrixXd(system.hessian(x, system.multipliers(x))).selfadjointView<Eigen::Lower>();
     INFO(model);
-    constexpr double step =
-        1e-5;  // central differences: step² of the third derivative's share, 1e-16 / step rounding
+    // Central differences have an error of step² by the third derivative, and 1e-16 / step by rounding.
+    constexpr double step = 1e-5;
     for (Eigen::Index i = 0; i < system.unknowns(); i += 5) {
       Eigen::VectorXd unit = Eigen::VectorXd::Zero(system.unknowns());
       unit(i) = step;
@@ -89,18 +89,18 @@ TEST_CASE("a system's gradient and Hessian are the derivatives of its energy", "
       const double slope = (system.energy(ahead) - system.energy(behind)) / (2 * step);
       CHECK_THAT(gradient(i), WithinAbs(slope, 1e-6 * gradient.cwiseAbs().maxCoeff()));
       const Eigen::VectorXd column = (system.gradient(ahead) - system.gradient(behind)) / (2 * step);
-      // Choi and Ko's own derivatives are differences too, of a function that is solved for by bisection.
+      // Choi and Ko's derivatives are differences, too, of a function that bisection solves for.
       const double tolerance = model == "choi_ko" ? 1e-3 : 1e-6;
       CHECK((hessian.col(i) - column).norm() <= tolerance * hessian.norm());
     }
   }
 }
 
-TEST_CASE("a system's bending energy is that of its constraints over the compliance", "[solver]") {
+TEST_CASE("the bending energy of a system is the energy of its constraints over the compliance", "[solver]") {
   const RestMesh rest(delaunay(1, 1, 3, 2));
   for (const std::string_view model : {"crossover", "discrete_shells", "bridson", "isometric", "choi_ko"}) {
     SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 0), model);
-    input.positions *= 0.8;  // shorter than at rest, as segments have to be that push
+    input.positions *= 0.8;  // only segments shorter than at rest push
     for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
       input.positions(v, 2) = 0.05 * std::sin(7 * input.positions(v, 0));
     const auto energy = [&](double compliance) {
@@ -117,77 +117,79 @@ TEST_CASE("a system's bending energy is that of its constraints over the complia
 TEST_CASE("a mass on a spring hangs m g / k below its rest length", "[solver]") {
   SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
-  input.positions(1, 0) = 1;  // starts to the side of the pin
+  input.positions(1, 0) = 1;  // the mass starts beside the pin
   input.origin.setZero();
   input.mass = {1, 2};
   input.is_pinned = {1, 0};
   input.distance = {.vertices = {{0, 1}}, .rest_length = {1}};
-  const auto found = balanced(compliant(std::move(input), 1, 1e-3));
-  REQUIRE(found->settled());
+  const auto equilibrium = balanced(compliant(std::move(input), 1, 1e-3));
+  REQUIRE(equilibrium->settled());
   // |Δf| / |f| ≤ 1e-7, so positions are right to 1e-7 m g / k.
-  CHECK_THAT(found->positions()(1, 2), WithinAbs(-1 - 2 * gravity * 1e-3, 1e-8));
-  CHECK_THAT(found->positions()(1, 0), WithinAbs(0, 1e-7));
+  CHECK_THAT(equilibrium->positions()(1, 2), WithinAbs(-1 - 2 * gravity * 1e-3, 1e-8));
+  CHECK_THAT(equilibrium->positions()(1, 0), WithinAbs(0, 1e-7));
 }
 
-TEST_CASE("a hanging sheet without bending is a catenary", "[solver]") {
-  // Sag of an inextensible chain of length L between supports d apart at L / d = 1.25: with 2 a sinh(d / 2a)
-  // = L it is a (cosh(d / 2a) - 1) = 0.3318 d.
+TEST_CASE("a hanging sheet without bending resistance is a catenary", "[solver]") {
+  // An inextensible chain of length L hangs between supports that are d apart, with L / d = 1.25. Its sag is
+  // a (cosh(d / 2a) - 1) = 0.3318 d, where 2 a sinh(d / 2a) = L.
   const RestMesh rest(grid(1.25, 0.2, 40, 6));
   std::vector<int> ends = select_vertices(rest, Place::left);
   for (const int v : select_vertices(rest, Place::right)) ends.push_back(v);
   const Pins pins = make_pins(rest, ends, 0);
   SimulationInput input = compliant(test::sheet(rest, pins, "none", density), 1e-4, 1);
-  for (int v = 0; v < rest.vertex_count(); ++v) {  // the ends moved together, the sheet on a shallow arc
+  for (int v = 0; v < rest.vertex_count(); ++v) {  // the ends approach each other, the sheet is a shallow arc
     const double along = rest.position(v).x() / 1.25;
     input.positions(v, 0) = along;
     input.positions(v, 2) = -0.3 * (1 - 4 * along * along);
   }
-  const auto found = balanced(input);
-  REQUIRE(found->settled());
-  // A polygon of 40 segments sags (1/40)² of the scale less; a membrane of 10⁴ N/m stretches by 1e-4.
-  CHECK_THAT(-found->positions().col(2).minCoeff(), WithinRel(0.3318, 2e-3));
+  const auto equilibrium = balanced(input);
+  REQUIRE(equilibrium->settled());
+  // The sag of a polygon of 40 segments is smaller by about (1/40)². A membrane of 10⁴ N/m stretches by 1e-4.
+  CHECK_THAT(-equilibrium->positions().col(2).minCoeff(), WithinRel(0.3318, 2e-3));
 }
 
-TEST_CASE("a cantilever of hinges hangs as the heavy elastica", "[solver]") {
+TEST_CASE("a cantilever of hinges hangs like the heavy elastica", "[solver]") {
   // H/W of the heavy elastica at Γ = ρ g L³ / B = 1, 10, 100 (solved to 1e-10 by two methods). The clamp acts
-  // half a row behind the last pinned one.
+  // half a row behind the last pinned row.
   const std::array<std::array<double, 2>, 3> curve = {{{1, 0.124562}, {10, 1.0668}, {100, 5.8881}}};
   for (const auto& [gamma, expected] : curve) {
     Strip strip(24, 1);
     const double length = strip.length + strip.row / 2;
     strip = Strip(24, density * gravity * std::pow(length, 3) / gamma);
-    const auto found = balanced(strip.input);
-    REQUIRE(found->settled());
-    const Vector3 tip = strip.tip(found->positions());
+    const auto equilibrium = balanced(strip.input);
+    REQUIRE(equilibrium->settled());
+    const Vector3 tip = strip.tip(equilibrium->positions());
     const double start = strip.rest.box_max().x() - length;
-    // What is left of curling at the sides shrinks as the fourth root of the membrane's compliance, whether
-    // that is 1e-6, 1e-7 or 1e-8 m/N: 1 to 2 % of H/W at Γ = 1. Bent farther the strip does not curl.
+    // The error from curling at the sides is proportional to the fourth root of the membrane's compliance
+    // (measured at 1e-6, 1e-7 and 1e-8 m/N). It is 1 to 2 % of H/W at Γ = 1. A strip that bends more does not
+    // curl.
     const double ratio = -tip.z() / (tip.x() - start) / expected;
     CHECK_THAT(ratio, WithinAbs(1, gamma < 5 ? 0.02 : 0.01));
   }
 }
 
-TEST_CASE("a strip that springs bend hangs without creases", "[solver]") {
+TEST_CASE("a strip with bending springs hangs without creases", "[solver]") {
   const RestMesh rest(equilateral(0.25, 0.15, 14, Rows::perpendicular));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 2);
   for (const double strain_compliance : {1e-5, 1e-7}) {
-    const auto found =
+    const auto equilibrium =
         balanced(compliant(test::sheet(rest, pins, "k_ring", density), strain_compliance, 1e-3));
-    REQUIRE(found->settled());
-    const Positions x = found->positions();
-    std::map<long, std::pair<double, double>> row;  // lowest and highest vertex of each
+    REQUIRE(equilibrium->settled());
+    const Positions x = equilibrium->positions();
+    std::map<long, std::pair<double, double>> row;  // lowest and highest vertex of each row, m
     for (int v = 0; v < rest.vertex_count(); ++v) {
       auto [it, is_new] = row.try_emplace(std::lround(rest.position(v).x() * 1e6), x(v, 2), x(v, 2));
       auto& [low, high] = it->second;
       low = std::min(low, x(v, 2)), high = std::max(high, x(v, 2));
     }
-    // It curls a little at the free sides, by less than 3 % of the rows' spacing; a crease is 10 % and more.
+    // The strip curls a little at the free sides, by less than 3 % of the distance between rows. A crease is
+    // at least 10 %.
     for (const auto& [place, ends] : row) CHECK(ends.second - ends.first < 0.03 * 0.0155);
   }
 }
 
-TEST_CASE("a standing strip buckles where Greenhill says", "[solver]") {
-  // A column that stands by itself buckles under its own weight at ρ g L³ / B = 7.837 (Greenhill 1881).
+TEST_CASE("a standing strip buckles at the height that Greenhill predicts", "[solver]") {
+  // A free-standing column buckles under its own weight at ρ g L³ / B = 7.837 (Greenhill 1881).
   const auto leans = [](double gamma) {
     Strip strip(16, 1);
     const double length = strip.length + strip.row / 2;
@@ -200,34 +202,35 @@ TEST_CASE("a standing strip buckles where Greenhill says", "[solver]") {
     }
     for (int v = 0; v < strip.rest.vertex_count(); ++v)
       if (strip.pins.pinned(v)) x(v, 0) = 0;
-    const auto found = balanced(strip.input);
-    REQUIRE(found->settled());
-    return std::abs(strip.tip(found->positions()).x()) / length;
+    const auto equilibrium = balanced(strip.input);
+    REQUIRE(equilibrium->settled());
+    return std::abs(strip.tip(equilibrium->positions()).x()) / length;
   };
-  // B is the flexural rigidity D where the sheet cannot curl across, and D (1 - ν²) with ν = -1/3 (a lattice
-  // of hinges) where it can: the strip buckles between 6.97 and 7.837.
-  CHECK(leans(6.5) < 1e-3);  // straight but for the imperfection of 2e-5, at most 15 times
+  // B is the flexural rigidity D if the sheet cannot curl across its length. If it can, B is D (1 - ν²) with
+  // ν = -1/3 (a lattice of hinges). So the strip buckles between 6.97 and 7.837.
+  CHECK(leans(6.5) < 1e-3);  // straight, except for at most 15 times the imperfection of 2e-5
   CHECK(leans(8.5) > 0.2);
 }
 
-TEST_CASE("equilibria found side by side are those found alone", "[solver]") {
-  // Large enough for the factorisation to work in dense blocks, whose library has to bear several callers.
+TEST_CASE("equilibria computed in parallel equal an equilibrium computed alone", "[solver]") {
+  // The strip is so large that the factorisation uses dense blocks. Their library must allow several callers.
   const Strip strip(40, density * gravity * std::pow(0.22, 3) / 10);
   const Positions alone = balanced(strip.input)->positions();
-  std::array<Positions, 4> found;
+  std::array<Positions, 4> results;
   {
-    std::vector<std::jthread> runs;
-    for (Positions& each : found)
-      runs.emplace_back([&] {
+    std::vector<std::jthread> threads;
+    for (Positions& result : results)
+      threads.emplace_back([&] {
         auto simulation = make_simulation<double>(strip.input, test::effect_passes<double>("gravity"));
         for (int step = 0; step < 100 && !simulation->settled(); ++step) simulation->step();
-        each = simulation->positions();
+        result = simulation->positions();
       });
   }
-  for (const Positions& each : found) CHECK(each == alone);
+  for (const Positions& result : results) CHECK(result == alone);
 }
 
-TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
+TEST_CASE("the equilibrium method refuses k and obstacles, and reports an equilibrium that it did not reach",
+          "[solver]") {
   const RestMesh rest(grid(1, 1, 2, 2));
   const Pins pins = make_pins(rest, {0}, 0);
   SimulationInput input = test::sheet(rest, pins, "crossover");
@@ -238,7 +241,7 @@ TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
   obstacle.push_back({"obstacle", Stage::project, [](PassContext<double>&) {}});
   CHECK_THROWS_AS(make_simulation<double>(compliant(input, 1, 1), std::move(obstacle)),
                   std::invalid_argument);
-  // Where everything is pinned there is nothing to find, and where nothing pulls nothing moves.
+  // If every vertex is pinned or no force acts, nothing moves.
   const auto held = balanced(
       compliant(test::sheet(rest, make_pins(rest, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 0), "crossover"), 1, 1));
   CHECK(held->settled());
@@ -247,7 +250,7 @@ TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
   for (int step = 0; step < 3; ++step) REQUIRE(idle->step());
   CHECK(*idle->unbalanced() == 0);
   CHECK(idle->positions() == rest.positions());
-  // Falls for ever: nothing holds it.
+  // A sheet without pins falls for ever.
   const auto falling = balanced(compliant(test::sheet(rest, make_pins(rest, {}, 0), "crossover"), 1, 1), 20);
   CHECK_FALSE(falling->settled());
   CHECK(*falling->unbalanced() > 0.5);

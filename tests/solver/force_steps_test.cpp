@@ -1,5 +1,5 @@
-// How much forces may deform the cloth in one substep: gradients and numbers of steps by closed forms, and
-// what the limit is for.
+// The limit on how much forces may deform the cloth in one substep: closed forms of the gradient and of the
+// number of substeps, and the effect of the limit.
 #include "bendlab/solver/force_steps.hpp"
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-// Of a flat sheet that gains v = A x + (1, 2, 3) m/s.
+// The largest gained gradient of a flat sheet whose velocities gain A x + (1, 2, 3) m/s.
 template <class Real>
 double gradient_of(const Eigen::Matrix3d& a) {
   const RestMesh rest(grid(1, 1, 5, 3));
@@ -50,9 +50,9 @@ std::unique_ptr<Simulation> falling(const SimulationInput& input) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[force_steps]", float,
-                   double) {
-  // Differences of velocities of a few m/s, over edges of 0.2 m and more.
+TEMPLATE_TEST_CASE("the gradient of a linear gain of velocity is its matrix in the plane of the sheet",
+                   "[force_steps]", float, double) {
+  // Rounding of differences of velocities of a few m/s, over edges of at least 0.2 m.
   const double tolerance = 40 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
   std::mt19937_64 random(3);
   Eigen::Matrix3d a;
@@ -65,7 +65,7 @@ TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's p
 }
 
 TEST_CASE("the number of steps is the square root of the change over its limit", "[force_steps]") {
-  CHECK(force_steps(0.3, 0.3) == 1);  // just fits
+  CHECK(force_steps(0.3, 0.3) == 1);  // exactly at the limit
   CHECK(force_steps(0, 0.3) == 1);
   CHECK(force_steps(30, 0.3) == 10);
   CHECK(force_steps(31, 0.3) == 11);
@@ -73,7 +73,7 @@ TEST_CASE("the number of steps is the square root of the change over its limit",
   CHECK(force_steps(std::numeric_limits<double>::infinity(), 0.3) == most_force_steps);
 }
 
-TEST_CASE("the step of a cloth that falls as a whole is not cut, to the bit", "[force_steps]") {
+TEST_CASE("the step of a cloth that falls as a whole is not divided, and no bit changes", "[force_steps]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   const auto plain = falling(input);
@@ -84,21 +84,21 @@ TEST_CASE("the step of a cloth that falls as a whole is not cut, to the bit", "[
   CHECK(limited->positions() == plain->positions());
 }
 
-TEST_CASE("a curtain's step is cut by how far its top row would fall", "[force_steps]") {
-  // The row below the pins falls by g h² in a step, where its triangles are 1/16 m high.
+TEST_CASE("the fall of a curtain's top row decides how often its step is divided", "[force_steps]") {
+  // The row below the pins falls by g h² in a step, and its triangles are 1/16 m high.
   const double limit = 0.25;
   const auto steps = static_cast<std::uint64_t>(std::ceil(std::sqrt(16 * 9.81 * 0.1 * 0.1 / limit)));
   const auto simulation = falling(hanging_curtain(16, 0.1, limit));
   for (std::uint64_t step = 1; step <= 20; ++step) {
     REQUIRE(simulation->step());
-    CHECK(simulation->substeps() == step * steps);  // gravity does not change, nor does their number
+    CHECK(simulation->substeps() == step * steps);  // the same in each step, like gravity
   }
   CHECK_THAT(simulation->time(), WithinRel(2.0, 1e-12));  // a sum of a few roundings
   const double projections = static_cast<double>(simulation->projections());
   CHECK(std::fmod(projections, static_cast<double>(simulation->substeps() * 10)) == 0);
 }
 
-TEST_CASE("a step that is cut is that many substeps", "[force_steps]") {
+TEST_CASE("a divided step gives the same bits as the same number of substeps", "[force_steps]") {
   SimulationInput input = hanging_curtain(16, 0.1, 0.25);
   const auto cut = falling(input);
   input.method = Pbd{};
@@ -108,7 +108,7 @@ TEST_CASE("a step that is cut is that many substeps", "[force_steps]") {
   CHECK(cut->positions() == divided->positions());
 }
 
-TEST_CASE("a step of a second does not tear a curtain that may cut it", "[force_steps]") {
+TEST_CASE("a step of a second does not tear a curtain if the step may be divided", "[force_steps]") {
   const auto lowest = [](double limit) {
     const auto simulation = falling(hanging_curtain(16, 1, limit));
     double y = 0;
@@ -118,7 +118,7 @@ TEST_CASE("a step of a second does not tear a curtain that may cut it", "[force_
     }
     return y;
   };
-  // It reaches from y = 0.5 to y = -0.5; in a second what is free falls by 9.81 m.
+  // The curtain reaches from y = 0.5 m to y = -0.5 m. In a second free vertices fall by 9.81 m.
   CHECK(lowest(0) < -5);
   CHECK(lowest(0.05) > -0.8);
 }

@@ -1,4 +1,4 @@
-// Scenes and settings of the tests of implicit steps.
+// Scenes and settings for the tests of implicit steps.
 #pragma once
 
 #include "bendlab/solver/method.hpp"
@@ -6,8 +6,8 @@
 
 namespace bendlab::test {
 
-// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one
-// over its rigidity.
+// Models whose energy has a gradient everywhere. The compliance is 1 / stiffness for springs and 1 / rigidity
+// for hinges.
 struct SmoothModel {
   std::string_view name;
   double compliance;
@@ -32,7 +32,8 @@ inline void disturb(SimulationInput& input, double size) {
     input.positions.row(v) += random_vector(random, size).transpose();
 }
 
-/// A simulation with steps of h whose iterations end once none moves a vertex by more than `tolerance` sizes.
+/// A simulation with steps of h. Iterations end once no vertex moves by more than `tolerance` sizes of the
+/// cloth.
 template <class Real = double>
 std::unique_ptr<Simulation> implicit_steps(SimulationInput input, std::string_view method,
                                            std::string_view integrator, double h,

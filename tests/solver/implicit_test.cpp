@@ -1,4 +1,4 @@
-// Implicit steps: what they minimise, that all methods find it, and closed forms of motion.
+// Implicit steps: all methods find the minimum of a step, and motions agree with closed forms.
 #include <numbers>
 
 #include "bendlab/constraints/kernels.hpp"
@@ -47,7 +47,7 @@ double largest_difference(const Positions& a, const Positions& b) {
   return (a - b).cwiseAbs().maxCoeff();
 }
 
-// Steps of h until `duration`, by the method's own settings.
+// Simulates steps of h until `duration`. `iterations` becomes the setting of the method.
 std::unique_ptr<Simulation> moved(SimulationInput input, std::string_view method, std::string_view integrator,
                                   double h, double duration, std::vector<Pass<double>> passes,
                                   int iterations = 50) {
@@ -57,7 +57,7 @@ std::unique_ptr<Simulation> moved(SimulationInput input, std::string_view method
   return simulation;
 }
 
-// Keeps vertices above the plane z = 0, and counts how often.
+// Keeps vertices above the plane z = 0, and counts its calls.
 std::vector<Pass<double>> plane(int& calls) {
   std::vector<Pass<double>> passes(1);
   passes[0].name = "plane", passes[0].stage = Stage::project;
@@ -69,7 +69,7 @@ std::vector<Pass<double>> plane(int& calls) {
   return passes;
 }
 
-// Free, flat, at z = 0, and falling at 1 m/s.
+// A free flat sheet at z = 0, which falls at 1 m/s.
 SimulationInput falling_sheet(std::string_view method) {
   const RestMesh rest(grid(1, 1, 3, 3));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {}, 0), "none"), method, 1e-2, 1);
@@ -80,10 +80,11 @@ SimulationInput falling_sheet(std::string_view method) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the kernels' forces are minus the gradient of the energy", "[solver]", float, double) {
+TEMPLATE_TEST_CASE("the forces of the kernels are minus the gradient of the energy", "[solver]", float,
+                   double) {
   const RestMesh rest(delaunay(1, 1, 4, 2));
   const Pins pins = make_pins(rest, {0}, 0);
-  // Rounding of positions over compliances, relative to the largest force.
+  // Rounding of positions divided by compliances, relative to the largest force.
   const double tolerance = std::is_same_v<TestType, float> ? 2e-5 : 1e-12;
   for (const SmoothModel& model : smooth_models)
     for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
@@ -114,7 +115,7 @@ TEMPLATE_TEST_CASE("the kernels' forces are minus the gradient of the energy", "
 
 TEMPLATE_TEST_CASE("a sparse factor solves its system for points", "[solver]", float, double) {
   for (const int n : {1, 2, 7, 60, 400}) {
-    // The Laplacian of a band of vertices plus a mass: positive definite.
+    // The Laplacian of a band of vertices plus a mass is positive definite.
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i) {
       entries.emplace_back(i, i, 4.5);
@@ -146,7 +147,7 @@ TEMPLATE_TEST_CASE("a sparse factor solves its system for points", "[solver]", f
 }
 
 // The start is flat or disturbed, pinned at a corner or free.
-TEST_CASE("one step has one minimum, which every implicit method finds", "[solver]") {
+TEST_CASE("every implicit method finds the one minimum of a step", "[solver]") {
   const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
   for (const bool pinned : {true, false})
     for (const double disturbance : {0.0, 0.004})
@@ -159,12 +160,12 @@ TEST_CASE("one step has one minimum, which every implicit method finds", "[solve
         const Positions newton = after_a_step<double>(input, "newton", 100);
         CHECK(largest_difference(newton, after_a_step<double>(input, "quasi_newton", 600)) <= 1e-8);
         CHECK(largest_difference(newton, after_a_step<double>(input, "vbd", 2000)) <= 1e-8);
-        // Positions of single precision are rounded to 3e-8 m, and forces with them.
+        // Positions in single precision have a rounding of 3e-8 m, which also affects forces.
         CHECK(largest_difference(newton, after_a_step<float>(input, "quasi_newton", 300)) <= 2e-6);
       }
 }
 
-TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia", "[solver]", float,
+TEMPLATE_TEST_CASE("the residual of a step is the imbalance of forces and inertia", "[solver]", float,
                    double) {
   const RestMesh rest(delaunay(1, 1, 5, 2));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {0}, 0), "dihedral"), "pbd", 1e-3, 1);
@@ -189,7 +190,7 @@ TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia
         left += (mass * gravity - mass / (h * h) * move - gradient.segment<3>(3 * at)).norm();
         weight += mass * gravity.norm();
       }
-      // A position of 1 m is rounded by 6e-8 in float, and the membrane has 1000 N/m.
+      // In float, positions of 1 m have a rounding of 6e-8 m, and the membrane has 1000 N/m.
       CHECK_THAT(simulation->step_residual()->share(),
                  WithinAbs(left / weight, std::is_same_v<TestType, float> ? 0.05 : 1e-9));
       if (iterations == 1) CHECK(simulation->step_residual()->share() > 1);
@@ -197,7 +198,8 @@ TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia
     }
 }
 
-TEST_CASE("a step's residual with BDF2 is of its own inertia, and leaves out what touches", "[solver]") {
+TEST_CASE("the residual of a step of BDF2 uses its own inertia and leaves out vertices in contact",
+          "[solver]") {
   const RestMesh rest(delaunay(1, 1, 5, 2));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {0}, 0), "dihedral"), "pbd", 1e-3, 1);
   disturb(input, 0.02);
@@ -226,21 +228,21 @@ TEST_CASE("a step's residual with BDF2 is of its own inertia, and leaves out wha
           (mass * gravity_acceleration - mass / (gamma * gamma) * move - gradient.segment<3>(3 * at)).norm();
       weight += mass * gravity_acceleration.norm();
     }
-    CHECK(left / weight > 1e-3);  // two iterations leave something
+    CHECK(left / weight > 1e-3);  // two iterations do not converge
     CHECK_THAT(simulation->step_residual()->share(), WithinRel(left / weight, 1e-6));
 
-    // A sheet on a plane: the plane carries what would else be unbalanced.
+    // A sheet lies on a plane, which carries its weight.
     int calls = 0;
     std::vector<Pass<double>> passes = gravity<double>();
     for (auto& pass : plane(calls)) passes.push_back(std::move(pass));
     const auto lying = moved(falling_sheet(method), method, "bdf2", h, 6 * h, std::move(passes), 50);
     REQUIRE(lying->step_residual());
-    CHECK_THAT(lying->step_residual()->share(), WithinAbs(0, 1e-9));  // a vertex may hover by a rounding
+    CHECK_THAT(lying->step_residual()->share(), WithinAbs(0, 1e-9));  // a vertex may hover by rounding
     CHECK_FALSE(moved(falling_sheet(method), method, "bdf2", h, h, {}, 2)->step_residual());  // no forces
   }
 }
 
-TEST_CASE("a step's residual without loads is relative to inertia", "[solver]") {
+TEST_CASE("the residual of a step without loads is relative to inertia", "[solver]") {
   const RestMesh rest(delaunay(1, 1, 5, 2));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {0}, 0), "dihedral"), "pbd", 1e-3, 1);
   disturb(input, 0.02);
@@ -257,19 +259,20 @@ TEST_CASE("a step's residual without loads is relative to inertia", "[solver]") 
       const auto at = system.free_index()[static_cast<std::size_t>(v)];
       if (at < 0) continue;
       const double mass = input.mass[static_cast<std::size_t>(v)];
-      const Vector3 passed_on = mass / (h * h) * (end.row(v) - input.positions.row(v)).transpose();  // m a
-      left += (passed_on + gradient.segment<3>(3 * at)).norm(), inertia += passed_on.norm();
+      const Vector3 m_a = mass / (h * h) * (end.row(v) - input.positions.row(v)).transpose();
+      left += (m_a + gradient.segment<3>(3 * at)).norm(), inertia += m_a.norm();
     }
-    CHECK(left / inertia > 1e-3);  // two iterations leave something
+    CHECK(left / inertia > 1e-3);  // two iterations do not converge
     REQUIRE(simulation->step_residual());
     CHECK_THAT(simulation->step_residual()->share(), WithinRel(left / inertia, 1e-6));
   }
 }
 
-// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients
-// of poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
-TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance",
-          "[solver]") {
+// XPBD adds up λ ∇C while its iterations move the vertices. So the forces of its solution lie along gradients
+// of earlier poses. Its distance from the minimum is of second order in how far the gradients turn.
+TEST_CASE(
+    "the distance of XPBD's solution from the minimum grows with the square of the disturbance at the start",
+    "[solver]") {
   const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
   for (const std::string_view model : {"crossover", "discrete_shells"}) {
     const auto distance = [&](double disturbance) {
@@ -285,7 +288,7 @@ TEST_CASE("XPBD converges to another pose than the minimum, by the square of a s
   }
 }
 
-TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") {
+TEST_CASE("implicit methods come to rest at the equilibrium", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 6, Rows::parallel));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   const SimulationInput input =
@@ -297,7 +300,7 @@ TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") 
     std::vector<Pass<double>> passes = gravity<double>();
     for (auto& pass : test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", 2.0))
       passes.push_back(std::move(pass));
-    // Few iterations a step: what they leave undone, the next steps do.
+    // Few iterations per step are enough: later steps correct the remaining error.
     const auto settled = moved(dragged, method, "bdf2", 1.0 / 60, 20, std::move(passes),
                                method == "newton" ? 3
                                : method == "vbd"  ? 30
@@ -307,8 +310,9 @@ TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") 
   }
 }
 
-// Few sweeps move a stiff sheet by little. Begun at x + h v they leave it stretched by that, step by step.
-TEST_CASE("few iterations of block descent lag behind, and keep the cloth together", "[solver]") {
+// Few sweeps move a stiff sheet only a little. If they started at x + h v, the sheet would stay stretched by
+// this move in every step.
+TEST_CASE("block descent with few iterations moves too slowly, but does not stretch the cloth", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 8, Rows::parallel));
   const Pins pins = make_pins(rest, {0}, 0);
   const SimulationInput input = compliant(test::sheet(rest, pins, "dihedral"), "vbd", 1e-4, 1e3);
@@ -321,12 +325,12 @@ TEST_CASE("few iterations of block descent lag behind, and keep the cloth togeth
     };
     for (const auto& edge : rest.edges().rowwise())
       longest = std::max(longest, length(end, edge) / length(rest.positions(), edge));
-    CHECK(longest <= 1.1);  // its weight strains it by 0.005 at the pin
+    CHECK(longest <= 1.1);  // the weight of the sheet causes a strain of 0.005 at the pin
   }
 }
 
 // A point of mass m on a spring of stiffness k along its direction: ω = √(k / m).
-TEST_CASE("backward Euler is of first order, BDF2 of second", "[solver]") {
+TEST_CASE("backward Euler is of first order, and BDF2 is of second order", "[solver]") {
   SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
   input.positions(1, 0) = 1.1;
@@ -351,8 +355,8 @@ TEST_CASE("backward Euler is of first order, BDF2 of second", "[solver]") {
     }
 }
 
-// v' = -c A / m v: v_n = v_0 / (1 + q)ⁿ with q = c A h / m for backward Euler, however long the step.
-TEST_CASE("linear drag is part of an implicit step", "[solver]") {
+// v' = -c A / m v. Backward Euler gives v_n = v_0 / (1 + q)ⁿ with q = c A h / m, for any step.
+TEST_CASE("an implicit step integrates linear drag implicitly", "[solver]") {
   const RestMesh rest(grid(1, 1, 2, 2));
   const Pins pins = make_pins(rest, {}, 0);
   const double density = 0.2, coefficient = 3, h = 0.5;
@@ -369,7 +373,7 @@ TEST_CASE("linear drag is part of an implicit step", "[solver]") {
   }
 }
 
-TEST_CASE("an implicit step keeps linear momentum, however few its iterations", "[solver]") {
+TEST_CASE("an implicit step keeps linear momentum, even with few iterations", "[solver]") {
   const RestMesh rest(delaunay(0.5, 0.5, 5, 3));
   for (const std::string_view method : implicit_methods) {
     SimulationInput input =
@@ -389,9 +393,9 @@ TEST_CASE("an implicit step keeps linear momentum, however few its iterations", 
   }
 }
 
-// A pass that always moves vertex 0 by d pushes it with κ d; at the end of the step it moves it once more.
-// With κ = 5 m / h² the sheet has the momentum h κ d + m d / h = 6 m d / h.
-TEST_CASE("what contacts push is in a free sheet's momentum", "[solver]") {
+// A pass that always moves vertex 0 by d acts on it with the force κ d, and moves it once more at the end of
+// the step. With κ = 5 m / h² the sheet has the momentum h κ d + m d / h = 6 m d / h.
+TEST_CASE("the push of contacts adds to the momentum of a free sheet", "[solver]") {
   const RestMesh rest(grid(1, 1, 3, 3));
   const double d = 1e-3, h = 1.0 / 60;
   const SimulationInput input =
@@ -406,17 +410,17 @@ TEST_CASE("what contacts push is in a free sheet's momentum", "[solver]") {
   CHECK_THAT(momentum, WithinRel(6 * input.mass[0] * d / h, 1e-6));
 }
 
-// A flat sheet falls onto a plane: the first iteration finds where inertia and the contacts' force are in
-// balance, so that few of the 50 are needed.
-TEST_CASE("an iteration of newton knows how stiff contacts are", "[solver]") {
+// A flat sheet falls onto a plane. The first iteration finds the balance of inertia and the contacts' force,
+// so few of the 50 iterations are needed.
+TEST_CASE("newton's iterations include the stiffness of contacts", "[solver]") {
   int calls = 0;
   const double h = 1.0 / 60;
   moved(falling_sheet("newton"), "newton", "euler", h, h, plane(calls), 50);
   CHECK(calls <= 5);  // one for each iteration, and one at the end of the step
 }
 
-TEST_CASE("contacts throw no cloth back, whatever the order of the integrator", "[solver]") {
-  const double h = 1.0 / 60, height = 0.3 * h;  // it lands within a step, with history behind it or without
+TEST_CASE("cloth does not bounce off contacts, with integrators of either order", "[solver]") {
+  const double h = 1.0 / 60, height = 0.3 * h;  // it lands in the first step, or after three steps
   for (const std::string_view method : implicit_methods)
     for (const std::string_view integrator : {"euler", "bdf2"})
       for (const double start : {height, 3 * h + height}) {
@@ -425,19 +429,19 @@ TEST_CASE("contacts throw no cloth back, whatever the order of the integrator", 
         SimulationInput input = falling_sheet(method);
         input.positions.col(2).setConstant(start);
         const auto end = moved(input, method, integrator, h, 12 * h, plane(calls), 50);
-        CHECK(end->velocities().col(2).cwiseAbs().maxCoeff() <= 0.01);  // of 1 m/s
+        CHECK(end->velocities().col(2).cwiseAbs().maxCoeff() <= 0.01);  // it fell at 1 m/s
         CHECK(end->positions().col(2).maxCoeff() <= 0.01 * h);
       }
 }
 
-TEST_CASE("a membrane is softened as far as the error asks for, and not beyond", "[solver]") {
+TEST_CASE("the membrane is softened as far as membrane_error allows", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 8, Rows::parallel));
   const Pins pins = make_pins(rest, {0, 8}, 0);
   const auto softness = [&](double compliance, double error) {
     SimulationInput input = compliant(test::sheet(rest, pins, "dihedral"), "quasi_newton", compliance, 1e4);
     input.method = QuasiNewton{.membrane_error = error};
     const auto simulation = make_simulation<double>(input, gravity<double>());
-    CHECK_FALSE(simulation->membrane_softness());  // not known before the loads are
+    CHECK_FALSE(simulation->membrane_softness());  // unknown until the loads are known
     REQUIRE(simulation->step());
     return simulation->membrane_softness().value();
   };

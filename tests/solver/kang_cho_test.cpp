@@ -1,4 +1,5 @@
-// The step of Kang & Cho against formulas by hand, a dense implementation of its own, and backward Euler.
+// The step of Kang & Cho, compared with formulas by hand, with a separate dense implementation and with
+// backward Euler.
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <stdexcept>
@@ -30,7 +31,7 @@ SimulationInput with_springs(SimulationInput input, double dt, double membrane_c
   return input;
 }
 
-// Edge springs and those of a model, at rest.
+// A sheet at rest with edge springs and the springs of a model.
 SimulationInput spring_sheet(const RestMesh& rest, const Pins& pins, std::string_view model, double dt,
                              double membrane_compliance = 1e-2, double bending_compliance = 1) {
   SimulationInput input =
@@ -58,7 +59,7 @@ std::unique_ptr<Simulation> falling(const SimulationInput& input, double acceler
       input, test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -acceleration}));
 }
 
-// A small irregular sheet with a pin, crumpled and moving, masses that differ, vertices of every degree.
+// A small irregular sheet, crumpled and moving, with different masses and vertices of every degree.
 SimulationInput crumpled_sheet(std::vector<int> pinned, double dt, std::string_view model = "crossover") {
   const RestMesh rest(delaunay(1, 1, 5, 3));
   SimulationInput input = spring_sheet(rest, make_pins(rest, std::move(pinned), 0), model, dt, 1e-2, 0.05);
@@ -74,7 +75,7 @@ SimulationInput crumpled_sheet(std::vector<int> pinned, double dt, std::string_v
   return input;
 }
 
-// The formulas once more, over global dense matrices and by matrix products.
+// The formulas once more, with global dense matrices.
 struct Dense {
   MatrixXd stiffness;        // K: 3#V by 3#V, tangent
   MatrixXd diagonal_blocks;  // of K
@@ -139,7 +140,7 @@ struct Dense {
     return without_pinned(solver.solve(p + off_diagonal * guess));
   }
 
-  // The system's solution.
+  // The solution of the linear system.
   VectorXd backward_euler(double h) const {
     MatrixXd a = MatrixXd(mass.asDiagonal()) + h * h * stiffness;
     for (Eigen::Index i = 0; i < a.rows(); ++i)
@@ -166,7 +167,7 @@ double momentum_gained(const SimulationInput& input) {
   return (after.linear_momentum - before.linear_momentum).norm();
 }
 
-// Σ m |Δv|: what the parts of the momentum exchange.
+// Σ m |Δv|: the momentum that vertices exchange.
 double momentum_exchanged(const SimulationInput& input) {
   const Positions change = velocities_after_a_step(input) - input.velocities;
   double sum = 0;
@@ -189,7 +190,7 @@ SimulationInput hanging_sheet(int cells, double dt, double membrane_compliance, 
   return input;
 }
 
-// Whether two simulated seconds stay within a size of the sheet.
+// Whether the sheet moves by no more than its size in two simulated seconds.
 bool stays_bounded(const SimulationInput& input) {
   const auto simulation = falling<double>(input);
   while (simulation->time() < 2)
@@ -200,9 +201,9 @@ bool stays_bounded(const SimulationInput& input) {
 
 }  // namespace
 
-TEST_CASE("kang_cho: two masses on a spring, by hand", "[solver]") {
-  // Along the spring with κ = h² k, s = stretch, u = v1 - v0: p0 = h k s + κ u = -p1 = p,
-  // Δv0 = (p - κ p / (m1 + κ)) / (m0 + κ) = p m1 / ((m0 + κ) (m1 + κ)). Across it nothing.
+TEST_CASE("kang_cho: two masses on a spring agree with a computation by hand", "[solver]") {
+  // Along the spring, with κ = h² k, s = stretch and u = v1 - v0: p0 = h k s + κ u = -p1 = p,
+  // Δv0 = (p - κ p / (m1 + κ)) / (m0 + κ) = p m1 / ((m0 + κ) (m1 + κ)). Across the spring nothing changes.
   const double m0 = 0.3, m1 = 1.7, k = 250, h = 0.02, rest = 0.8, length = 1.1, u = -2;
   SimulationInput input = two_masses(m0, m1, k, rest, length, h);
   input.velocities(1, 0) = u;
@@ -213,11 +214,11 @@ TEST_CASE("kang_cho: two masses on a spring, by hand", "[solver]") {
   expected << impulse / m0, 0, 0, u - impulse / m1, 0.5, 0;
   const auto simulation = make_simulation<double>(input, {});
   REQUIRE(simulation->step());
-  // Rounding of a dozen operations on numbers around 1.
+  // Rounding of a dozen operations on numbers near 1.
   CHECK((simulation->velocities() - expected).cwiseAbs().maxCoeff() < 1e-14);
   CHECK((simulation->positions() - (input.positions + h * expected)).cwiseAbs().maxCoeff() < 1e-14);
 
-  // The other end pinned: nothing comes back through the spring, and the step is backward Euler.
+  // If the other end is pinned, nothing comes back through the spring, and the step is backward Euler.
   input.is_pinned[1] = 1;
   input.velocities.setZero();
   const Positions velocities = velocities_after_a_step(input);
@@ -225,8 +226,8 @@ TEST_CASE("kang_cho: two masses on a spring, by hand", "[solver]") {
   CHECK(velocities.row(1).norm() == 0);
 }
 
-TEST_CASE("kang_cho: a spring's own fall is slowed by the factor 1 - (κ / (m + κ))²", "[solver]") {
-  // A vertical spring between equal masses: p = m h g each, Δv = h g m (m + 2κ) / (m + κ)².
+TEST_CASE("kang_cho: a falling spring is slowed down by the factor 1 - (κ / (m + κ))²", "[solver]") {
+  // A vertical spring between equal masses: both have p = m h g, and Δv = h g m (m + 2κ) / (m + κ)².
   const double m = 0.2, k = 300, h = 0.01, kappa = h * h * k;
   SimulationInput input = two_masses(m, m, k, 1, 1, h);
   input.positions.row(1) << 0, 0, 1;
@@ -235,7 +236,7 @@ TEST_CASE("kang_cho: a spring's own fall is slowed by the factor 1 - (κ / (m + 
   for (int v = 0; v < 2; ++v) CHECK_THAT(velocities(v, 2), WithinRel(-slowed * h * gravity, 1e-13));
 }
 
-TEST_CASE("kang_cho: the step is that of a dense implementation", "[solver]") {
+TEST_CASE("kang_cho: the step agrees with a dense implementation", "[solver]") {
   for (const Tangent tangent : {Tangent::along, Tangent::taut, Tangent::isotropic})
     for (const double h : {1e-3, 1e-2, 1e-1})
       for (const char* model : {"none", "crossover", "k_ring"}) {
@@ -247,22 +248,23 @@ TEST_CASE("kang_cho: the step is that of a dense implementation", "[solver]") {
         const Dense dense(input, tangent);
         const VectorXd change = dense.kang_cho(h, weight);
         const VectorXd after = rows_to_vector(velocities_after_a_step(input, gravity));
-        // Rounding, amplified by W: κ / m is up to some hundreds.
+        // Rounding, amplified by W: κ / m is up to a few hundred.
         CHECK((after - dense.velocity - change).cwiseAbs().maxCoeff() < 1e-12 * change.cwiseAbs().maxCoeff());
       }
 }
 
-TEST_CASE("kang_cho: single precision is double precision but for rounding", "[solver]") {
+TEST_CASE("kang_cho: single precision agrees with double precision up to rounding", "[solver]") {
   const SimulationInput input = crumpled_sheet({0}, 1e-2);
   const auto simulation = falling<float>(input);
   REQUIRE(simulation->step());
   const Positions expected = velocities_after_a_step(input, gravity);
-  // ε = 6e-8, a force's cancellation of lengths (1 / strain = 10) and W's condition (hundreds).
+  // ε = 6e-8, amplified by the cancellation of lengths in forces (1 / strain = 10) and the condition of W
+  // (hundreds).
   CHECK((simulation->velocities() - expected).cwiseAbs().maxCoeff() < 1e-4 * expected.cwiseAbs().maxCoeff());
 }
 
-TEST_CASE("kang_cho: the solution of the implicit system is missed by O(h⁵)", "[solver]") {
-  // Two Jacobi steps leave the factor G², G = O(h²), of a Δv that is O(h).
+TEST_CASE("kang_cho: the distance from the solution of the implicit system is O(h⁵)", "[solver]") {
+  // Two Jacobi steps reduce the error to G² Δv, with G = O(h²) and Δv = O(h).
   const auto error = [](double h) {
     const SimulationInput input = crumpled_sheet({0}, h);
     const Dense dense(input, Tangent::along);
@@ -272,9 +274,10 @@ TEST_CASE("kang_cho: the solution of the implicit system is missed by O(h⁵)", 
   CHECK_THAT(order_of(error, 2e-4), WithinAbs(5, 0.05));  // the next order: h² Σ k / m = 0.5 %
 }
 
-TEST_CASE("kang_cho: backward Euler itself is missed by O(h²), O(h³) where only along changes", "[solver]") {
-  // v = v0 + h M⁻¹ f(x + h v), by fixed-point iteration, which contracts at these steps. What `along` leaves
-  // out is h · h K_across (v0 + Δv) / m: O(h²) with velocities at the start, O(h³) without.
+TEST_CASE("kang_cho: the distance from backward Euler is O(h²), or O(h³) from rest", "[solver]") {
+  // v = v0 + h M⁻¹ f(x + h v) is solved by fixed-point iteration, which converges for these steps. The
+  // tangent `along` leaves out h · h K_across (v0 + Δv) / m. This is O(h²) with velocities at the start and
+  // O(h³) without.
   const auto error = [](bool moving, double h) {
     SimulationInput input = crumpled_sheet({0}, h);
     if (!moving) input.velocities.setZero();
@@ -292,11 +295,11 @@ TEST_CASE("kang_cho: backward Euler itself is missed by O(h²), O(h³) where onl
   CHECK_THAT(order_of([&](double h) { return error(false, h); }, 5e-5), WithinAbs(3, 0.1));
 }
 
-TEST_CASE("kang_cho: momentum is kept by a single spring and not by a cloth", "[solver]") {
+TEST_CASE("kang_cho: a single spring keeps momentum, but a cloth does not", "[solver]") {
   SimulationInput pair = two_masses(0.3, 1.7, 250, 0.8, 1.1, 0.02);
   CHECK(momentum_gained(pair) <= 1e-15 * momentum_exchanged(pair));
-  // Σ m Δv = Σ_j (1 - G² 1)_j p_j, and G² 1 differs between vertices unless κ ≪ m: a free cloth gains
-  // momentum from nothing, at second order in κ / m.
+  // Σ m Δv = Σ_j (1 - G² 1)_j p_j, and G² 1 differs between vertices unless κ ≪ m. So a free cloth gains
+  // momentum without a force, of second order in κ / m.
   const auto share = [](double h) {
     const SimulationInput input = crumpled_sheet({}, h);
     return momentum_gained(input) / momentum_exchanged(input);
@@ -305,7 +308,8 @@ TEST_CASE("kang_cho: momentum is kept by a single spring and not by a cloth", "[
   CHECK_THAT(order_of(share, 2e-4), WithinAbs(4, 0.1));
 }
 
-TEST_CASE("kang_cho: across its springs a sheet falls freely, at rest it stays at rest", "[solver]") {
+TEST_CASE("kang_cho: a sheet falls freely across its springs, and a sheet at rest stays at rest",
+          "[solver]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = spring_sheet(rest, make_pins(rest, {}, 0), "crossover", 1.0 / 60);
   input.settings.substeps = 3;
@@ -318,13 +322,13 @@ TEST_CASE("kang_cho: across its springs a sheet falls freely, at rest it stays a
 
   const auto still = make_simulation<double>(input, {});
   for (int s = 0; s < steps; ++s) REQUIRE(still->step());
-  // Rest lengths are rounded once: forces of ε k L, over a second.
+  // The rounding of rest lengths causes forces of ε k L, over a second.
   CHECK((still->positions() - rest.positions()).cwiseAbs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("kang_cho: a chain hangs as statics says, at any step", "[solver]") {
-  // Spring i carries the weight below it: its extension is α m g (n - i). Equilibrium is a fixed point
-  // because the weight is part of p.
+TEST_CASE("kang_cho: a hanging chain agrees with statics for any step", "[solver]") {
+  // Spring i carries the weight below it, so its extension is α m g (n - i). The weight is part of p, so the
+  // equilibrium is a fixed point of the step.
   const int n = 5;
   const double alpha = 1e-2, m = 0.1;
   SimulationInput input{.method = Pbd{}};
@@ -341,12 +345,12 @@ TEST_CASE("kang_cho: a chain hangs as statics says, at any step", "[solver]") {
   for (const double h : {1e-3, 1.0 / 60, 1.0}) {
     const auto simulation = falling<double>(with_springs(input, h, alpha, 1));
     for (int s = 0; s < 100; ++s) REQUIRE(simulation->step());
-    // Rounding of lengths of 5, times k h per step, over 100 steps.
+    // Rounding of lengths of 5 m, times k h per step, over 100 steps.
     CHECK((simulation->positions() - input.positions).cwiseAbs().maxCoeff() < 1e-11);
   }
 }
 
-TEST_CASE("kang_cho: pinned vertices stay and hold the others", "[solver]") {
+TEST_CASE("kang_cho: pinned vertices do not move and hold the sheet", "[solver]") {
   const RestMesh rest(grid(1, 1, 12, 12));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const SimulationInput input = spring_sheet(rest, pins, "adaptive", 1e-3);
@@ -357,9 +361,10 @@ TEST_CASE("kang_cho: pinned vertices stay and hold the others", "[solver]") {
   CHECK(simulation->positions().col(2).minCoeff() > -3);  // a second of free fall would be 4.9 m
 }
 
-TEMPLATE_TEST_CASE("kang_cho: threads, repeats, permutations and settings of pbd change no bit", "[solver]",
+TEMPLATE_TEST_CASE("kang_cho: threads, repetition, numbering and settings of pbd change no bit", "[solver]",
                    float, double) {
-  SimulationInput input = hanging_sheet(64, 1e-3, 1e-2, Tangent::taut);  // rows enough to be split
+  SimulationInput input =
+      hanging_sheet(64, 1e-3, 1e-2, Tangent::taut);  // enough rows to be split among threads
   const auto after = [](const SimulationInput& now) {
     const auto simulation = falling<TestType>(now);
     for (int s = 0; s < 50; ++s) REQUIRE(simulation->step());
@@ -380,7 +385,8 @@ TEMPLATE_TEST_CASE("kang_cho: threads, repeats, permutations and settings of pbd
 }
 
 TEST_CASE("kang_cho: a stiff spring is stable at steps where explicit Euler diverges", "[solver]") {
-  // Along a spring of reduced mass μ = m / 2 symplectic Euler is stable up to h² k / μ = 4; here it is 800.
+  // Along a spring with the reduced mass μ = m / 2, symplectic Euler is stable up to h² k / μ = 4. Here it is
+  // 800.
   const double m = 1, k = 4e4, h = 0.1;
   const SimulationInput input = two_masses(m, m, k, 1, 1.1, h);
   const auto simulation = make_simulation<double>(input, {});
@@ -394,9 +400,11 @@ TEST_CASE("kang_cho: a stiff spring is stable at steps where explicit Euler dive
   CHECK(std::abs(length) > 1e100);
 }
 
-TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]") {
-  // A taut string of one mass between two pins, plucked sideways: each half has tension T and length l, and
-  // what `along` leaves to explicit integration is the stiffness 2 T / l. Stable for h² 2 T / l < 4 m.
+TEST_CASE("kang_cho: with the tangent `along`, motion across a taut spring has the limit of explicit steps",
+          "[solver]") {
+  // A taut string of one mass between two pins is plucked sideways. Each half has the tension T and the
+  // length l. The tangent `along` leaves the stiffness 2 T / l to explicit integration, which is stable for
+  // h² 2 T / l < 4 m.
   const double m = 1, k = 100, rest = 0.5, l = 1, tension = k * (l - rest),
                critical = std::sqrt(4 * m * l / (2 * tension));
   SimulationInput input{.method = Pbd{}};
@@ -425,7 +433,7 @@ TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]
     for (const double steps : {1.05, 10.0, 1000.0}) CHECK(largest(steps * critical, tangent) <= pluck);
 }
 
-TEST_CASE("kang_cho: which steps a hanging sheet survives", "[solver]") {
+TEST_CASE("kang_cho: the steps for which a hanging sheet is stable", "[solver]") {
   const double frame = 1.0 / 60;
   CHECK_FALSE(stays_bounded(hanging_sheet(12, frame, 1e-3, Tangent::along)));
   CHECK(stays_bounded(hanging_sheet(12, frame / 16, 1e-3, Tangent::along)));
@@ -434,7 +442,7 @@ TEST_CASE("kang_cho: which steps a hanging sheet survives", "[solver]") {
       CHECK(stays_bounded(hanging_sheet(12, frame, compliance, tangent)));
 }
 
-TEST_CASE("kang_cho: its plan holds its passes and those that are listed", "[solver]") {
+TEST_CASE("kang_cho: the plan holds the passes of the method and of the listed effects", "[solver]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   const SimulationInput input = spring_sheet(rest, make_pins(rest, {0}, 0), "crossover", 1e-3);
   const auto names = [](const Simulation& simulation) {
@@ -450,11 +458,11 @@ TEST_CASE("kang_cho: its plan holds its passes and those that are listed", "[sol
   CHECK(names(*simulation) == std::vector<std::string>{"start", "gravity", "external", "rigid_damping",
                                                        "springs", "implicit solve", "update"});
   REQUIRE(simulation->step());
-  // By hand: 4 × 4 squares have 2·4·5 + 16 = 56 edges, of which 56 - 16 lie inside.
+  // By hand: 4 × 4 squares have 2·4·5 + 16 = 56 edges, and 56 - 16 edges are inside.
   CHECK(simulation->projections() == 56 + 40);
 }
 
-TEST_CASE("kang_cho: rigid damping takes nothing of a fall", "[solver]") {
+TEST_CASE("kang_cho: rigid damping does not slow down a fall", "[solver]") {
   const RestMesh rest(grid(1, 1, 6, 6));
   const SimulationInput input = spring_sheet(rest, make_pins(rest, {}, 0), "crossover", 1e-2);
   std::vector<Pass<double>> passes = test::effect_passes<double>("gravity");
@@ -465,7 +473,7 @@ TEST_CASE("kang_cho: rigid damping takes nothing of a fall", "[solver]") {
   CHECK((damped->velocities().col(2).array() + 0.1 * gravity).abs().maxCoeff() < 1e-12);
 }
 
-TEST_CASE("kang_cho: what it cannot do is refused", "[solver]") {
+TEST_CASE("kang_cho: settings that the method does not support are refused", "[solver]") {
   const RestMesh rest(grid(1, 1, 3, 3));
   const Pins pins = make_pins(rest, {0}, 0);
   CHECK_THROWS_AS(make_simulation<float>(spring_sheet(rest, pins, "dihedral", 1e-3), {}),
@@ -479,7 +487,7 @@ TEST_CASE("kang_cho: what it cannot do is refused", "[solver]") {
   CHECK_THROWS_AS(make_simulation<float>(input, {}), std::invalid_argument);
 }
 
-TEST_CASE("kang_cho: edge springs are the mesh's edges with a free end", "[constraints]") {
+TEST_CASE("kang_cho: edge springs are the edges of the mesh with at least one free end", "[constraints]") {
   const RestMesh rest(grid(2, 1, 2, 1));  // 6 vertices; 2·2 + 3 sides and 2 diagonals
   CHECK(edge_springs(rest, make_pins(rest, {}, 0)).size() == 9);
   const DistanceConstraints list = edge_springs(rest, make_pins(rest, {0, 1}, 0));
@@ -493,7 +501,7 @@ TEST_CASE("kang_cho: edge springs are the mesh's edges with a free end", "[const
   }
 }
 
-TEST_CASE("kang_cho: spring rows hold every spring at both its ends", "[solver]") {
+TEST_CASE("kang_cho: every spring is in the rows of both its ends", "[solver]") {
   // Vertex 20 is in the second slice; vertex 3 needs no row.
   const std::vector<Spring> springs = {{0, 20, 1, 10}, {3, 0, 2, 20}, {0, 1, 3, 30}};
   std::vector<char> needs_row(21, 1);

@@ -1,4 +1,4 @@
-// What every registered solver method keeps, whatever it does in a step.
+// Properties of every registered solver method.
 #include "bendlab/solver/method.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-// A sheet that every method takes: springs, each stiffness a compliance.
+// A sheet that every method accepts: it has springs, and every stiffness is a compliance.
 SimulationInput sheet_for(const MethodKind& method) {
   const RestMesh rest(grid(1, 1, 3, 3));
   const Pins pins = make_pins(rest, {0}, 0);
@@ -52,7 +52,7 @@ void check_orders(const SimulationInput& input) {
 
 }  // namespace
 
-TEST_CASE("methods: each says what it is and comes in some precision", "[solver]") {
+TEST_CASE("methods: each has a description and at least one precision", "[solver]") {
   std::set<std::string_view> names;
   for (const MethodKind* method : methods()) {
     INFO(method->name);
@@ -66,7 +66,8 @@ TEST_CASE("methods: each says what it is and comes in some precision", "[solver]
   CHECK(find_method("no_such_method") == nullptr);
 }
 
-TEST_CASE("methods: each gives every constraint a place in its order and refuses unknown kinds", "[solver]") {
+TEST_CASE("methods: the order of each holds every constraint once, and unknown kinds are refused",
+          "[solver]") {
   for (const MethodKind* method : methods()) {
     INFO(method->name);
     const SimulationInput input = sheet_for(*method);
@@ -75,7 +76,7 @@ TEST_CASE("methods: each gives every constraint a place in its order and refuses
   }
 }
 
-TEST_CASE("methods: each says why its passes are there", "[solver]") {
+TEST_CASE("methods: each describes all its passes", "[solver]") {
   for (const MethodKind* method : methods()) {
     const SimulationInput input = sheet_for(*method);
     const auto simulation = make_simulation<double>(input, test::effect_passes<double>("gravity"));
@@ -87,7 +88,8 @@ TEST_CASE("methods: each says why its passes are there", "[solver]") {
   }
 }
 
-TEST_CASE("methods: settings are those of their struct, and another method's are refused", "[solver]") {
+TEST_CASE("methods: settings are read from their struct, and settings of another method are refused",
+          "[solver]") {
   SimulationInput input = sheet_for(KangCho::kind);
   CHECK(settings_of<KangCho>(input).tangent == KangCho::Tangent::along);
   input.method = KangCho{.tangent = KangCho::Tangent::taut};

@@ -1,5 +1,6 @@
-// Motions by implicit steps against closed forms: frequencies, decay, waves, momentum; steps far too long for
-// the motion, loads far too heavy for projections; and the same bits from runs side by side.
+// Motions with implicit steps agree with closed forms: frequencies, decay, waves and momentum. Further cases
+// are steps far too long for the motion, loads far too heavy for projections, and equal bits of parallel
+// simulations.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -31,8 +32,8 @@ std::vector<Pass<double>> gravity(const Vector3& g) {
   return test::effect_passes<double>("gravity", "acceleration", std::vector<double>{g.x(), g.y(), g.z()});
 }
 
-// r of q_n = Re(A rⁿ), which solves q_n+2 = 2 Re(r) q_n+1 - |r|² q_n; by least squares, without the first
-// quarter, in which faster modes and BDF2's other root fade away.
+// The r of q_n = Re(A rⁿ), which solves q_n+2 = 2 Re(r) q_n+1 - |r|² q_n. It comes from least squares without
+// the first quarter of the values, in which faster modes and the other root of BDF2 fade away.
 Complex factor_per_step(const std::vector<double>& q) {
   Eigen::Matrix2d squares = Eigen::Matrix2d::Zero();
   Eigen::Vector2d right = Eigen::Vector2d::Zero();
@@ -40,15 +41,15 @@ Complex factor_per_step(const std::vector<double>& q) {
     const Eigen::Vector2d row(q[n + 1], q[n]);
     squares += row * row.transpose(), right += q[n + 2] * row;
   }
-  const Eigen::Vector2d found = squares.ldlt().solve(right);
-  return {found(0) / 2, std::sqrt(-found(1) - found(0) * found(0) / 4)};
+  const Eigen::Vector2d solution = squares.ldlt().solve(right);
+  return {solution(0) / 2, std::sqrt(-solution(1) - solution(0) * solution(0) / 4)};
 }
 
-// A mode of a cloth: where it starts, what moves it, and its closed form.
+// A mode of a cloth: its start, its forces, and the frequency of its closed form.
 struct Mode {
   SimulationInput input{.method = Pbd{}};
   std::function<std::vector<Pass<double>>()> forces;
-  std::vector<double> shape;  // #V, of displacements along an axis
+  std::vector<double> shape;  // #V displacements along the axis
   Eigen::Index axis;
   double omega;  // 1/s
 
@@ -62,7 +63,7 @@ struct Mode {
   }
 };
 
-// λ of exp(λ t) by steps of h: iω if they were exact.
+// The λ of exp(λ t) for steps of h. Exact steps would give iω.
 Complex rate(const Mode& mode, std::string_view method, std::string_view integrator, double h) {
   const auto simulation = implicit_steps(mode.input, method, integrator, h, mode.forces(), 400);
   std::vector<double> q;
@@ -73,7 +74,7 @@ Complex rate(const Mode& mode, std::string_view method, std::string_view integra
   return std::log(factor_per_step(q)) / h;
 }
 
-// The order from three steps, and where they lead.
+// Checks the order, from three step sizes, and their limit for h → 0.
 void check_rate(const Mode& mode) {
   for (const std::string_view method : converging_methods)
     for (const auto& [integrator, order] : integrators) {
@@ -81,17 +82,18 @@ void check_rate(const Mode& mode) {
       const Complex coarse = rate(mode, method, integrator, h),
                     middle = rate(mode, method, integrator, h / 2),
                     fine = rate(mode, method, integrator, h / 4);
-      const double seen = std::log2(std::abs(coarse - middle) / std::abs(middle - fine));
+      const double observed = std::log2(std::abs(coarse - middle) / std::abs(middle - fine));
       const Complex limit = fine + (fine - middle) / (std::pow(2, order) - 1);
       INFO(method << ", " << integrator << ": ω " << limit << " by " << coarse << ", " << middle << ", "
-                  << fine << "; exact " << mode.omega << "; order " << seen);
-      CHECK_THAT(seen, WithinAbs(order, 0.15));  // ωh = 0.3 and less: the next order is a tenth of it
+                  << fine << "; exact " << mode.omega << "; order " << observed);
+      CHECK_THAT(observed, WithinAbs(order, 0.15));  // ωh ≤ 0.3, so the next order is a tenth of it
       CHECK_THAT(limit.imag(), WithinRel(mode.omega, 0.01));
       CHECK_THAT(limit.real(), WithinAbs(0, 0.01 * mode.omega));
     }
 }
 
-// Where the free side of a strip that is clamped at x = 0 ends up under a small load, by statics.
+// How far the free side of a strip sinks in the static equilibrium under a small load, m. The strip is
+// clamped at x = 0.
 double static_deflection(SimulationInput input, double acceleration) {
   input.method = Equilibrium{};
   const auto simulation = make_simulation<double>(input, gravity({0, 0, -acceleration}));
@@ -99,7 +101,8 @@ double static_deflection(SimulationInput input, double acceleration) {
   return -simulation->positions().col(2).minCoeff();
 }
 
-// u after some steps of u' = λ u from u = 1: by backward Euler first, then by the integrator.
+// u after `steps` steps of u' = λ u from u = 1. The first step is backward Euler, all later steps are the
+// integrator's.
 Complex exact_steps(std::string_view integrator, Complex lambda, double h, int steps) {
   Complex before = 1, now = 1.0 / (1.0 - lambda * h);
   for (int n = 1; n < steps; ++n) {
@@ -110,7 +113,7 @@ Complex exact_steps(std::string_view integrator, Complex lambda, double h, int s
   return now;
 }
 
-// A point of mass m on a spring along x whose other end is pinned, 0.1 m beyond its rest length.
+// A point of mass m on a spring along x, 0.1 m beyond the rest length. The other end of the spring is pinned.
 SimulationInput point_on_spring(double mass, double stiffness) {
   SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
@@ -157,9 +160,9 @@ double largest_stretch(const RestMesh& rest, const Positions& x) {
 
 }  // namespace
 
-// f = (1.8751² / 2π) √(B / ρL⁴), Euler and Bernoulli's beam. B is what statics measure on the same mesh, by
-// the deflection ρ g L⁴ / 8B of the end under a small load.
-TEST_CASE("a clamped strip has its first frequency", "[solver]") {
+// f = (1.8751² / 2π) √(B / ρL⁴) for Euler and Bernoulli's beam. B comes from the static deflection ρ g L⁴ /
+// 8B of the end of the same mesh under a small load.
+TEST_CASE("a clamped strip vibrates at the first frequency of a beam", "[solver]") {
   constexpr double length = 0.4, cell = 0.01, density = 0.2, g = 1e-3;
   const RestMesh rest(grid(length + cell, 2 * cell, 41, 2, Diagonal::alternating));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
@@ -171,15 +174,16 @@ TEST_CASE("a clamped strip has its first frequency", "[solver]") {
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double s = 1.8751 / length * std::max(0.0, rest.position(v).x() - start);
     mode.shape.push_back(std::cosh(s) - std::cos(s) - 0.7341 * (std::sinh(s) - std::sin(s)));
-    mode.input.positions(v, 2) += 1e-4 * mode.shape.back();  // ends 0.2 mm off: turns by 0.001
+    mode.input.positions(v, 2) += 1e-4 * mode.shape.back();  // the end is 0.2 mm off and turns by 0.001
   }
   mode.axis = 2;
   mode.forces = [] { return std::vector<Pass<double>>(); };
   check_rate(mode);
 }
 
-// ω = 2.4048 / 2 √(g / L) with the mode J₀(2.4048 √(s / L)), s from the lower end (Bernoulli 1732).
-TEST_CASE("a hanging strip swings as a chain", "[solver]") {
+// ω = 2.4048 / 2 √(g / L) with the mode J₀(2.4048 √(s / L)), where s is measured from the lower end
+// (Bernoulli 1732).
+TEST_CASE("a hanging strip swings like a chain", "[solver]") {
   constexpr double length = 1, density = 0.2, g = 9.81, stiffness = 1e3;
   const RestMesh rest(grid(0.05, length, 1, 40));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
@@ -190,7 +194,7 @@ TEST_CASE("a hanging strip swings as a chain", "[solver]") {
     const double s = rest.position(v).y() - rest.box_min().y();
     mode.shape.push_back(std::cyl_bessel_j(0, 2.4048 * std::sqrt(s / length)));
     mode.input.positions(v, 1) -=
-        density * g / (2 * stiffness) * (length * length - s * s);  // its own weight
+        density * g / (2 * stiffness) * (length * length - s * s);  // stretch by its own weight
     mode.input.positions(v, 2) += 1e-4 * mode.shape.back();
   }
   mode.axis = 2;
@@ -198,8 +202,8 @@ TEST_CASE("a hanging strip swings as a chain", "[solver]") {
   check_rate(mode);
 }
 
-// T = 4 L √(ρ / Y). The energy is ½ Y (warp strain² + weft strain² + shear²): no Poisson's ratio joins them,
-// so Y is 1 / compliance.
+// T = 4 L √(ρ / Y). The energy is ½ Y (warp strain² + weft strain² + shear²) without Poisson's ratio, so Y is
+// 1 / compliance.
 TEST_CASE("a wave runs along a strip that is released from a uniform stretch", "[solver]") {
   constexpr double length = 1, density = 0.2, stiffness = 50;
   const RestMesh rest(grid(length, 0.04, 50, 2));
@@ -215,14 +219,14 @@ TEST_CASE("a wave runs along a strip that is released from a uniform stretch", "
   check_rate(mode);
 }
 
-// With λ the roots of λ² + c λ / m + ω² = 0 and x(0) = 1, x'(0) = 0, the steps of x are those of
-// (λ₂ u₁ - λ₁ u₂) / (λ₂ - λ₁), u' = λ u. Without drag each multiplies the amplitude by |1 / (1 - iωh)|
-// (backward Euler), or by the larger root of (3/2 - iωh) r² - 2 r + 1/2 (BDF2).
-TEST_CASE("an oscillator decays by its integrator's factor per step", "[solver]") {
+// Let λ₁ and λ₂ be the roots of λ² + c λ / m + ω² = 0, with x(0) = 1 and x'(0) = 0. Then x is
+// (λ₂ u₁ - λ₁ u₂) / (λ₂ - λ₁) in every step, where u' = λ u. Without drag each step multiplies the amplitude
+// by |1 / (1 - iωh)| (backward Euler), or by the larger root of (3/2 - iωh) r² - 2 r + 1/2 (BDF2).
+TEST_CASE("an oscillator decays by the factor of its integrator in each step", "[solver]") {
   constexpr double mass = 0.01, stiffness = 4;
   for (const std::string_view method : {"newton", "quasi_newton", "vbd"})
     for (const auto& [integrator, order] : integrators)
-      for (const double drag : {0.0, 0.1})           // kg/s; 0.4 were critical
+      for (const double drag : {0.0, 0.1})           // kg/s; 0.4 would be critical
         for (const double h : {0.002, 0.02, 0.2}) {  // ωh = 0.04, 0.4, 4
           std::vector<Pass<double>> passes;
           if (drag > 0) passes.push_back({"drag", Stage::damp, [](auto&) {}, nullptr, {0, drag}});
@@ -236,14 +240,14 @@ TEST_CASE("an oscillator decays by its integrator's factor per step", "[solver]"
                                    first * exact_steps(integrator, second, h, step)) /
                                   (second - first);
             INFO(method << ", " << integrator << ", drag " << drag << ", h " << h << ", step " << step);
-            // 0.1 m of amplitude; forces are rounded to 1e-15 of 4 N/m × 1 m.
+            // The amplitude is 0.1 m. Forces have a rounding of 1e-15 of 4 N/m × 1 m.
             CHECK_THAT(simulation->positions()(1, 0), WithinAbs(1 + 0.1 * exact.real(), 1e-12));
           }
         }
 }
 
-// Internal forces at x_n+1 have no torque about any point, so that Σ m x_n+1 × (v_n+1 - V) = 0 with the V of
-// implicit_step.hpp: a converged step changes angular momentum by what its integrator does, and nothing else.
+// Internal forces at x_n+1 have no torque about any point, so Σ m x_n+1 × (v_n+1 - V) = 0 with the V of
+// implicit_step.hpp. Only the integrator changes the angular momentum in a converged step.
 TEST_CASE("internal forces of a converged step have no torque", "[solver]") {
   const RestMesh rest(delaunay(0.5, 0.5, 5, 3));
   const SimulationInput input = spinning_sheet(rest, 1e-3);
@@ -257,7 +261,8 @@ TEST_CASE("internal forces of a converged step have no torque", "[solver]") {
         const double share = integrator == "bdf2" && step > 0 ? 1.0 / 3 : 0;
         const Vector3 now = angular_momentum(input.mass, x, v);
         INFO(method << ", " << integrator << ", step " << step);
-        // Forces of 1e3 N/m × 0.5 m, rounded to 1e-16, over steps of 1/60 s and sides of 0.5 m: 1e-15.
+        // Forces of 1e3 N/m × 0.5 m have a rounding of 1e-16. With steps of 1/60 s and sides of 0.5 m this
+        // gives 1e-15.
         CHECK((now - angular_momentum(input.mass, x, before + share * (before - earlier))).norm() <=
               1e-11 * now.norm());
         earlier = before, before = v;
@@ -265,10 +270,10 @@ TEST_CASE("internal forces of a converged step have no torque", "[solver]") {
     }
 }
 
-// To first order in h backward Euler loses h |Σ m a × v| a second; BDF2's loss is of second order at least.
-// The sheet is so soft that steps resolve its slow modes (ω = π √(Y / ρ) / 0.5 m = 44 / s), in which it is
-// released.
-TEST_CASE("a spinning sheet loses angular momentum by the order of its integrator", "[solver]") {
+// To first order in h, backward Euler loses h |Σ m a × v| per second. The loss of BDF2 is of second order or
+// higher. The sheet is so soft that steps resolve its slow modes (ω = π √(Y / ρ) / 0.5 m = 44 / s), and
+// starts in such a mode.
+TEST_CASE("the loss of angular momentum of a spinning sheet has the order of the integrator", "[solver]") {
   const RestMesh rest(delaunay(0.5, 0.5, 5, 3));
   SimulationInput input = spinning_sheet(rest, 0.1);
   input.positions = 1.1 * rest.positions();
@@ -280,25 +285,24 @@ TEST_CASE("a spinning sheet loses angular momentum by the order of its integrato
     const Vector3 end = angular_momentum(sheet.mass, simulation->positions(), simulation->velocities());
     return (end - start).norm() / start.norm();
   };
-  std::string told;
+  std::string losses;
   for (const std::string_view method : converging_methods)
     for (const auto& [integrator, order] : integrators) {
       const double coarse = lost(input, method, integrator, 1.0 / 240),
                    fine = lost(input, method, integrator, 1.0 / 480),
                    crumpled = lost(spinning_sheet(rest, 1e-3), method, integrator, 1.0 / 60);
       INFO(method << ", " << integrator << ": " << coarse << ", " << fine);
-      CHECK(std::log2(coarse / fine) >= order - 0.2);  // ωh = 0.2: the next order is a tenth of it
-      told += fmt::format("{}, {}: {:.1e}, {:.1e}, {:.1e}; ", method, integrator, coarse, fine, crumpled);
+      CHECK(std::log2(coarse / fine) >= order - 0.2);  // ωh = 0.2, so the next order is a tenth of it
+      losses += fmt::format("{}, {}: {:.1e}, {:.1e}, {:.1e}; ", method, integrator, coarse, fine, crumpled);
     }
   WARN(
-      "share of the angular momentum lost in 1 s: a soft sheet by steps of 1/240 s and of 1/480 s, a stiff "
-      "one "
-      "that starts crumpled by 1/60 s: "
-      << told);
+      "share of the angular momentum lost in 1 s: a soft sheet with steps of 1/240 s and of 1/480 s, and a "
+      "stiff sheet that starts crumpled with steps of 1/60 s: "
+      << losses);
 }
 
-// Springs let the sheet hang in several ways: an equilibrium that is sought from where it ends up is that
-// pose. A force that jumps (choi_ko) has none that Newton's method finds.
+// With springs the sheet has several equilibria. So the equilibrium is computed from the final pose, and must
+// be this pose. With a force that jumps (choi_ko), Newton's method finds no equilibrium.
 TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 5, Rows::parallel));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
@@ -314,7 +318,7 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
     for (const std::string_view method : converging_methods)
       for (const double h : {0.1, 1.0})
         for (const auto& [integrator, order] : integrators) {
-          if (model.name == "choi_ko" && method == "quasi_newton") continue;  // which refuses it
+          if (model.name == "choi_ko" && method == "quasi_newton") continue;  // the method refuses this model
           INFO(model.name << ", " << method << ", " << integrator << ", h " << h);
           SimulationInput input =
               compliant(test::sheet(rest, pins, model.name), method, 1e-3, model.compliance);
@@ -325,7 +329,7 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
             REQUIRE(simulation->step());
             largest = std::max(largest, largest_stretch(rest, simulation->positions()));
           }
-          // The weight strains it by 1e-3, an iteration by up to 0.05. Falling for 1 s it would be 10 m away.
+          // The weight causes a strain of 1e-3, an iteration up to 0.05. A free fall of 1 s would be 10 m.
           CHECK(largest <= 1.1);
           if (model.name == "choi_ko") continue;
           input.positions = simulation->positions();
@@ -337,8 +341,8 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
         }
 }
 
-// Nothing but the sheet's own forces acts: its middle stays, and its edges find their lengths again.
-TEST_CASE("a sheet whose vertices start anywhere opens, and drifts by rounding alone", "[solver]") {
+// Only forces within the sheet act, so its centre of mass stays, and its edges return to their lengths.
+TEST_CASE("a sheet with random positions at the start opens, and drifts only by rounding", "[solver]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {}, 0), "none"), "newton", 1e-4, 1);
   std::mt19937_64 random(5);
@@ -355,13 +359,13 @@ TEST_CASE("a sheet whose vertices start anywhere opens, and drifts by rounding a
     const auto simulation = implicit_steps(input, method, "euler", 1.0 / 60, {}, 20);
     for (int step = 0; step < 300; ++step) REQUIRE(simulation->step());
     INFO(method);
-    CHECK((middle(simulation->positions()) - middle(input.positions)).norm() <= 1e-12);  // of 300 roundings
+    CHECK((middle(simulation->positions()) - middle(input.positions)).norm() <= 1e-12);  // 300 roundings
     if (method == "newton") CHECK(largest_stretch(rest, simulation->positions()) <= 1.01);
   }
 }
 
-// A strip whose lower half is 10⁶ times as heavy as the upper one, which holds it. Row j carries what is
-// below it: it is stretched by that weight over Y w.
+// The upper half of a strip holds a lower half that is 10⁶ times as heavy. Row j carries the weight below it,
+// and its strain is this weight over Y w.
 TEST_CASE("cloth carries a million times its weight", "[solver]") {
   constexpr double width = 0.1, density = 0.2, stiffness = 1e8, g = 9.81;
   const RestMesh rest(grid(width, 1, 2, 16));
@@ -382,8 +386,8 @@ TEST_CASE("cloth carries a million times its weight", "[solver]") {
     for (int step = 0; step < 300; ++step) REQUIRE(simulation->step());
     const Positions x = simulation->positions();
     INFO(method << ", " << integrator << ", " << sizeof(Real) << " bytes");
-    // Relative to how far the weight stretches it. Sides differ by their triangles: of second order in a
-    // cell.
+    // The error is relative to the stretch by the weight. The two sides differ because of their triangles, by
+    // an error of second order in the size of a cell.
     CHECK_THAT((x(48, 1) + x(50, 1) - x(0, 1) - x(2, 1)) / 2 - 1, WithinRel(length - 1, error));
   };
   for (const auto& [integrator, order] : integrators) {
@@ -393,16 +397,17 @@ TEST_CASE("cloth carries a million times its weight", "[solver]") {
   }
 }
 
-// An ordering of the matrix that draws from a random stream of the process would tell runs side by side
-// apart.
-TEST_CASE("implicit steps have the same bits side by side and for any number of threads", "[solver]") {
+// If the ordering of the matrix used random numbers that the whole process shares, parallel simulations would
+// differ.
+TEST_CASE("implicit steps give the same bits in parallel simulations and with any number of threads",
+          "[solver]") {
   struct Cloth {
     std::string_view method;
     int cells;
     int steps;
   };
-  // So fine that quasi_newton's passes are split among threads (above 16384 vertices), and that CHOLMOD looks
-  // for a better order than AMD's for newton (above 500 operations per number of the factor).
+  // Meshes are so fine that the passes of quasi_newton are split among threads (above 16384 vertices). For
+  // newton, CHOLMOD looks for a better order than AMD's (above 500 operations per number of the factor).
   for (const auto& [method, cells, steps] : {Cloth{"quasi_newton", 130, 4}, Cloth{"newton", 112, 1}}) {
     const RestMesh rest(grid(1, 1, cells, cells));
     const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
@@ -416,15 +421,15 @@ TEST_CASE("implicit steps have the same bits side by side and for any number of 
       return simulation->positions();
     };
     const Positions alone = end(1);
-    std::array<Positions, 3> found;
+    std::array<Positions, 3> results;
     {
-      std::vector<std::jthread> runs;
-      for (std::size_t i = 0; i < found.size(); ++i)
-        runs.emplace_back([&, i] { found[i] = end(i == 0 ? 2 : 1); });
+      std::vector<std::jthread> threads;
+      for (std::size_t i = 0; i < results.size(); ++i)
+        threads.emplace_back([&, i] { results[i] = end(i == 0 ? 2 : 1); });
     }
-    for (const Positions& each : found) {
-      INFO(method << " differs by up to " << (each - alone).cwiseAbs().maxCoeff() << " m");
-      CHECK((each.array() == alone.array()).all());
+    for (const Positions& result : results) {
+      INFO(method << " differs by up to " << (result - alone).cwiseAbs().maxCoeff() << " m");
+      CHECK((result.array() == alone.array()).all());
     }
   }
 }

@@ -8,9 +8,9 @@
 
 namespace bendlab {
 
-TEST_CASE("constraints nearest to the pins come first, each with its own rest values", "[solver]") {
-  // On a grid with its lower left corner pinned, one diagonal towards the pin, a vertex (i, j) is max(i, j)
-  // edges away where the diagonal runs through the pin, else i + j.
+TEST_CASE("constraints nearest to the pins come first, and keep their rest values", "[solver]") {
+  // The lower left corner of a grid with parallel diagonals is pinned. A vertex (i, j) is max(i, j) edges
+  // away from the pin if a diagonal ends at the pin, else i + j.
   const RestMesh rest(grid(1, 1, 7, 7));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::lower_left), 0);
   for (const std::string_view model : {"sparse_lod", "dihedral", "isometric"}) {
@@ -19,7 +19,7 @@ TEST_CASE("constraints nearest to the pins come first, each with its own rest va
     order_from_pins(input, rest);
 
     const auto corner = rest.position(pins.seeds.at(0));
-    const auto across = [&](int v) {  // in cells
+    const auto across = [&](int v) {  // columns and rows from the pin
       const Vector3 d = 7 * (rest.position(v) - corner);
       return std::array{std::lround(std::abs(d.x())), std::lround(std::abs(d.y()))};
     };

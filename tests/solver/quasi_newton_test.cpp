@@ -1,5 +1,4 @@
-// What quasi_newton consists of: the pairs' direction, the softened membrane, and its way back from moves
-// that went too far.
+// Parts of quasi_newton: the direction from pairs of L-BFGS, and the softened membrane.
 #include <algorithm>
 #include <random>
 
@@ -23,7 +22,7 @@ Points<double> points_of(const Vector& numbers) {
   return points;
 }
 
-// L-BFGS as Nocedal wrote it, in two loops over pairs, from the newest back.
+// The two loops of L-BFGS as Nocedal published them. They start with the newest pair.
 Vector two_loops(Vector q, const std::vector<Vector>& s, const std::vector<Vector>& y, const Vector& metric) {
   std::vector<double> alpha(s.size());
   for (std::size_t i = s.size(); i-- > 0;) {
@@ -37,9 +36,9 @@ Vector two_loops(Vector q, const std::vector<Vector>& s, const std::vector<Vecto
 
 }  // namespace
 
-TEST_CASE("pairs give the direction of L-BFGS in two loops", "[solver]") {
+TEST_CASE("the pair history gives the direction of the two loops of L-BFGS", "[solver]") {
   constexpr int points = 300, most = 4,
-                places = 9;  // more points than a part has; the oldest pairs are left out
+                places = 9;  // several parts of points, and more pairs than are kept
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
   const auto numbers = [&] { return Vector::NullaryExpr(3 * points, [&] { return normal(random); }).eval(); };
@@ -57,7 +56,7 @@ TEST_CASE("pairs give the direction of L-BFGS in two loops", "[solver]") {
     if (place > 0) {
       s.push_back(x - last_x), y.push_back(gradient - last_gradient);
       if (s.size() > most) s.erase(s.begin()), y.erase(y.begin());
-      // Both slopes along the move.
+      // The slopes along the move, before and after it.
       CHECK_THAT(along->before, WithinRel(s.back().dot(last_gradient), 1e-10));
       CHECK_THAT(along->after, WithinRel(s.back().dot(gradient), 1e-10));
     }
@@ -74,8 +73,8 @@ TEST_CASE("pairs give the direction of L-BFGS in two loops", "[solver]") {
   }
 }
 
-TEST_CASE("pairs span a change of the function, if it is told", "[solver]") {
-  // g = H x before and H x - b after: with b given, the pair is that of H alone.
+TEST_CASE("the pair history takes account of a stated change of the function", "[solver]") {
+  // The gradient is H x before the change and H x - b after it. With b stated, the pair belongs to H alone.
   constexpr int points = 5;
   const Vector ones = Vector::Ones(3 * points), x0 = ones, x1 = 3 * ones, b = 0.5 * ones;
   PairHistory<double> pairs(points, 3);
@@ -91,7 +90,7 @@ TEST_CASE("pairs span a change of the function, if it is told", "[solver]") {
 }
 
 TEST_CASE("a membrane is as stiff as stated at a pin, and softer with the distance from it", "[solver]") {
-  // A row of 10 cells of 0.1 m, pinned at its left end: distances along edges are known.
+  // A row of 10 cells of 0.1 m is pinned at its left end, so distances along edges are known.
   const RestMesh rest(grid(1, 0.1, 10, 1));
   constexpr double compliance = 1e-6, error = 2e-3, force = 1;
   const Pins pins = make_pins(rest, {0, 11}, 0);
@@ -104,8 +103,8 @@ TEST_CASE("a membrane is as stiff as stated at a pin, and softer with the distan
       x += rest.position(v).x() - rest.position(0).x();
     CHECK_THAT(softness[t], WithinRel(std::max(1.0, most * std::min(1.0, x / 3 / graded)), 1e-12));
   }
-  for (const double same : SoftMembrane(input).softness(error, 1e9)) CHECK(same == 1);  // as stiff as stated
-  for (const double same : SoftMembrane(input).softness(error, 0)) CHECK(same == 1);    // no load is known
+  for (const double s : SoftMembrane(input).softness(error, 1e9)) CHECK(s == 1);  // as stiff as stated
+  for (const double s : SoftMembrane(input).softness(error, 0)) CHECK(s == 1);    // no known load
 }
 
 }  // namespace bendlab

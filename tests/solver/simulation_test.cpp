@@ -1,4 +1,5 @@
-// The time step against closed forms, symmetries and itself.
+// The time step agrees with closed forms and symmetries, and gives the same result under other orders and
+// threads.
 #include "bendlab/solver/simulation.hpp"
 
 #include <algorithm>
@@ -37,7 +38,7 @@ SimulationInput pinned_sheet(int cells = 12) {
   return test::sheet(rest, make_pins(rest, select_vertices(rest, Place::upper_right), 1), "crossover");
 }
 
-// The same cloth in another unit of length: coordinates × factor, masses as they are.
+// The same cloth in another unit of length: coordinates times `factor`, the same masses.
 SimulationInput in_units(SimulationInput input, double factor) {
   input.positions *= factor;
   input.origin *= factor;
@@ -46,8 +47,8 @@ SimulationInput in_units(SimulationInput input, double factor) {
     for (double& entry : q) entry /= factor;
   input.distance.store_rest_lengths();
   for (double& length : input.distance.rest_length) length *= factor;
-  // In J = kg m²/s² the strain terms' α = compliance / A0 scales as 1 / length²: compliance stays. A spring's
-  // U = C² / 2α with C in lengths has α in s²/kg, which stays too.
+  // Energy is in J = kg m²/s². For strain terms α = compliance / A0 scales as 1 / length², so the compliance
+  // stays the same. For springs U = C² / 2α with C in m, so α is in s²/kg and stays the same, too.
   return input;
 }
 
@@ -68,7 +69,7 @@ TEMPLATE_TEST_CASE("a free sheet falls along the integrator's parabola", "[solve
   }
 }
 
-TEST_CASE("bending of stiffness k = 0 moves nothing, of k = 1 more than of k = 0.1", "[solver]") {
+TEST_CASE("bending with k = 0 moves nothing, and moves more with k = 1 than with k = 0.1", "[solver]") {
   const RestMesh rest(grid(1, 1, 6, 6));
   for (const char* model : {"crossover", "dihedral", "isometric"}) {
     const auto moved = [&](double k) {
@@ -89,12 +90,12 @@ TEST_CASE("bending of stiffness k = 0 moves nothing, of k = 1 more than of k = 0
   }
 }
 
-TEST_CASE("nothing has no bytes", "[solver]") {
+TEST_CASE("empty lists count as zero bytes of memory", "[solver]") {
   CHECK(bytes_of(Constraints<double>{}) == 0);
   CHECK(bytes_of(State<float>{}) == 0);
 }
 
-TEST_CASE("projections are counted: every constraint, in every iteration and sweep", "[solver]") {
+TEST_CASE("the number of projections counts every constraint in every iteration and sweep", "[solver]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   for (const Sweep sweep : {Sweep::forward, Sweep::symmetric}) {
     SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
@@ -120,18 +121,19 @@ TEMPLATE_TEST_CASE("a free sheet keeps linear momentum over 1000 steps", "[solve
     momentum_scale += input.mass[static_cast<std::size_t>(v)] * input.velocities.row(v).norm();
   for (int s = 0; s < 1000; ++s) REQUIRE(simulation->step());
   const Motion end = motion_of(input.mass, simulation->positions(), simulation->velocities());
-  // Each step rounds positions (size ~10 after the flight) to ε and divides by dt: ~10 ε / dt per vertex of
-  // random sign, accumulating as a random walk over 1000 steps and averaging over the vertices.
+  // Each step rounds positions (about 10 m after the flight) to ε and divides by dt. The error is about 10 ε
+  // / dt per vertex with a random sign. It grows like a random walk over 1000 steps, and averages over the
+  // vertices.
   const double epsilon = static_cast<double>(std::numeric_limits<TestType>::epsilon());
   const double rounding = 10 * epsilon / input.settings.dt * std::sqrt(1000.0);
   const double total_mass = 0.2;
   CHECK((end.linear_momentum - start.linear_momentum).norm() <= rounding * total_mass);
-  CHECK(rounding * total_mass < 0.01 * momentum_scale);  // the bound says something
+  CHECK(rounding * total_mass < 0.01 * momentum_scale);  // the bound is small enough
 }
 
-TEST_CASE("a stiff sheet's spin decays as the projection makes it", "[solver]") {
-  // A rigid rotor projected back after each straight prediction turns by θ' = atan(sin θ / (2 - cos θ)) = θ -
-  // θ³ + …, so θ = θ₀ / √(1 + 2 N θ₀²) with θ₀ = ω Δt.
+TEST_CASE("the spin of a stiff sheet decays as projections predict", "[solver]") {
+  // A rigid rotor moves straight in the prediction, and the projection corrects its lengths. It turns by
+  // θ' = atan(sin θ / (2 - cos θ)) = θ - θ³ + …, so θ = θ₀ / √(1 + 2 N θ₀²) with θ₀ = ω Δt.
   const RestMesh rest(grid(0.1, 0.1, 3, 3));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   input.settings.iterations = 200;  // rigid
@@ -151,8 +153,8 @@ TEST_CASE("a stiff sheet's spin decays as the projection makes it", "[solver]") 
   CHECK_THAT(end / start, WithinRel(1 / std::sqrt(1 + 2 * steps * theta * theta), 0.01));
 }
 
-TEMPLATE_TEST_CASE("threads and repeats give the same bits", "[solver]", float, double) {
-  SimulationInput input = pinned_sheet(64);  // colours large enough to be split
+TEMPLATE_TEST_CASE("any number of threads and repetition give the same bits", "[solver]", float, double) {
+  SimulationInput input = pinned_sheet(64);  // colours large enough to be split among threads
   const Positions once = after<TestType>(input, 20), again = after<TestType>(input, 20);
   CHECK(once == again);
   for (const int threads : {2, 3}) {
@@ -161,36 +163,36 @@ TEMPLATE_TEST_CASE("threads and repeats give the same bits", "[solver]", float, 
   }
 }
 
-TEMPLATE_TEST_CASE("the unit of length does not matter", "[solver]", float, double) {
+TEMPLATE_TEST_CASE("the result does not depend on the unit of length", "[solver]", float, double) {
   for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
     SimulationInput input = pinned_sheet();
     input.strain_stiffness.kind = input.bending_stiffness.kind = kind;
     input.strain_stiffness.compliance = 1e-5;
     input.bending_stiffness.compliance = 1e-4;
     const Positions metres = after<TestType>(input, 60);
-    for (const double factor : {0x1p10, 0x1p-10})  // exact in binary: every rounding is the same
+    for (const double factor : {0x1p10, 0x1p-10})  // powers of two, so every rounding is the same
       CHECK(after<TestType>(in_units(input, factor), 60, 9.81 * factor) / factor == metres);
     for (const double factor : {1e3, 1e-3}) {
       const Positions other = after<TestType>(in_units(input, factor), 10, 9.81 * factor) / factor;
-      // Ten steps of a few hundred projections each, before the sheet's chaos amplifies rounding.
+      // Ten steps of a few hundred projections, before chaotic motion amplifies rounding.
       const double tolerance = 1e4 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
       CHECK((other - after<TestType>(input, 10)).norm() <= tolerance * metres.norm());
     }
   }
 }
 
-TEST_CASE("coordinates far from the origin keep float's digits", "[solver]") {
+TEST_CASE("coordinates far from the origin keep the accuracy of float", "[solver]") {
   const SimulationInput input = pinned_sheet();
   SimulationInput far = input;
   const Vector3 offset(4194304, -2097152, 1048576);  // powers of two: adding them is exact here
   far.positions.rowwise() += offset.transpose();
   far.origin += offset;
   const Positions back = after<float>(far, 30).rowwise() - offset.transpose();
-  // Output in double rounds at 4e6 · 2⁻⁵³.
+  // Output in double has a rounding of 4e6 · 2⁻⁵³.
   CHECK((back - after<float>(input, 30)).cwiseAbs().maxCoeff() <= 1e-9);
 }
 
-TEST_CASE("a mesh numbered at random is put in order, and the answer stays where it was asked for",
+TEST_CASE("a mesh with random vertex numbers is renumbered, and results keep the original numbers",
           "[solver]") {
   const RestMesh tidy(delaunay(1, 1, 12, 2));
   std::vector<int> shuffled(static_cast<std::size_t>(tidy.vertex_count()));
@@ -209,7 +211,8 @@ TEST_CASE("a mesh numbered at random is put in order, and the answer stays where
   CHECK(std::set<int>(permutation.begin(), permutation.end()).size() == permutation.size());
   CHECK(mean_edge_span(rest.edges(), permutation) < 3 * mean_edge_span(tidy.edges()));
 
-  // It only changes the order of projections; with compliance everywhere any order comes to the same step.
+  // Renumbering only changes the order of projections. With compliance everywhere, any order converges to the
+  // same step.
   SimulationInput input = test::sheet(rest, make_pins(rest, {5}, 0), "crossover");
   input.settings.iterations = 1000;
   input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
@@ -244,13 +247,13 @@ TEST_CASE("pinned vertices stay where they are", "[solver]") {
   const SimulationInput input = test::sheet(rest, pins, "adaptive");
   const Positions end = after<double>(input, 120);
   for (const int v : pins.all) CHECK(end.row(v) == rest.positions().row(v));
-  CHECK(end.col(2).minCoeff() < -0.3);  // and the rest hangs
+  CHECK(end.col(2).minCoeff() < -0.3);  // the rest of the sheet hangs
 }
 
 TEST_CASE("both orders and both sweeps solve the same problem", "[solver]") {
-  // With compliance everywhere a step has one solution, which any order converges to. XPBD takes its
-  // gradients on the way there, which leaves a difference of second order in the step's motion: under a tenth
-  // of gravity, a sheet that moves by some 5 mm may differ by a small fraction of that.
+  // With compliance everywhere a step has one solution, and any order converges to it. But XPBD takes its
+  // gradients on the way, so results differ to second order in the motion of the step. Under a tenth of
+  // gravity the sheet moves by about 5 mm, and may differ by a small fraction of this.
   SimulationInput input = pinned_sheet(8);
   input.settings.iterations = 400;
   input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
@@ -271,11 +274,11 @@ TEST_CASE("XPBD with zero compliance is PBD with k = 1", "[solver]") {
   const Positions pbd = after<double>(input, 30);
   input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
   CHECK((after<double>(input, 30) - pbd).cwiseAbs().maxCoeff() <
-        1e-9);  // the same up to the order of operations
+        1e-9);  // equal up to the order of operations
 }
 
 TEST_CASE("a compliant spring stretches by its compliance times the load", "[solver]") {
-  // Two vertices, the upper one pinned: at rest under gravity the extension is α m g, whatever the
+  // The upper of two vertices is pinned. At rest under gravity the extension is α m g for any number of
   // iterations.
   SimulationInput input{.method = Pbd{}};
   input.positions.resize(2, 3);
@@ -288,7 +291,8 @@ TEST_CASE("a compliant spring stretches by its compliance times the load", "[sol
   input.settings.dt = 1.0 / 600;
   for (const int iterations : {1, 20}) {
     input.settings.iterations = iterations;
-    // An undamped oscillator about the equilibrium: its mean over whole periods is the static extension.
+    // The motion is an undamped oscillation about the equilibrium, so the mean over whole periods is the
+    // static extension.
     const auto simulation = hanging_sheet<double>(input);
     double sum = 0;
     const double period = 2 * 3.14159265358979 * std::sqrt(1e-2 * 0.3);
@@ -297,12 +301,13 @@ TEST_CASE("a compliant spring stretches by its compliance times the load", "[sol
       REQUIRE(simulation->step());
       sum += -simulation->positions()(1, 2) - 1;
     }
-    // Implicit damping of the first periods and the cut of the last one leave about a percent.
+    // Numerical damping of the first periods and the incomplete last period cause an error of about a
+    // percent.
     CHECK_THAT(sum / steps, WithinRel(1e-2 * 0.3 * 9.81, 0.01));
   }
 }
 
-TEST_CASE("divergence is noticed with its vertex", "[solver]") {
+TEST_CASE("divergence is detected and names its vertex", "[solver]") {
   const WithoutTraps infinities;
   SimulationInput input = pinned_sheet(4);
   input.velocities = Positions::Zero(input.positions.rows(), 3);
@@ -318,8 +323,8 @@ TEST_CASE("divergence names the farthest vertex and the most stretched triangle"
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   input.strain_stiffness.warp = input.strain_stiffness.weft = input.strain_stiffness.shear = 0;
   input.velocities = Positions::Zero(rest.vertex_count(), 3);
-  // Corner 0 of a grid split by `same` has triangles (0, 1, 6) and (0, 6, 5); 10⁶ sizes are 1.4e6 m, a step
-  // is 1/60 s.
+  // Corner 0 of a grid with parallel diagonals (`same`) has the triangles (0, 1, 6) and (0, 6, 5). 10⁶ sizes
+  // are 1.4e6 m, and a step is 1/60 s.
   input.velocities(0, 2) = 6e8;
   input.velocities(7, 2) = 3e8;
   const auto simulation = make_simulation<double>(input, {});
@@ -328,7 +333,7 @@ TEST_CASE("divergence names the farthest vertex and the most stretched triangle"
   CHECK(divergence.vertex == 0);
   CHECK_THAT(divergence.position.z(), WithinRel(1e7, 1e-12));
   CHECK(std::ranges::count(divergence.triangle, 0) == 1);
-  // Both triangles at the corner shear by the same: along one leg, of 1/4 m, by 1e7 m, or along both.
+  // Both triangles at the corner are stretched equally: by 1e7 m along one leg of 1/4 m, or along both legs.
   CHECK(divergence.stretch >= 4e7 * (1 - 1e-9));
   CHECK(divergence.stretch <= 4e7 * std::sqrt(2.0) * (1 + 1e-9));
 }
@@ -339,7 +344,7 @@ TEMPLATE_TEST_CASE("a collapsed sheet opens to its rest shape", "[solver]", floa
     for (const int dimension : {0, 1}) {
       INFO(model << " from dimension " << dimension);
       SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), model);
-      input.strain_stiffness.form = StrainForm::angle;  // the published shear throws what it opens
+      input.strain_stiffness.form = StrainForm::angle;  // with the published shear, opening is too violent
       input.positions.col(1).setZero(), input.positions.col(2).setZero();
       if (dimension == 0) input.positions.col(0).setZero();
       const auto simulation = make_simulation<TestType>(
@@ -347,13 +352,15 @@ TEMPLATE_TEST_CASE("a collapsed sheet opens to its rest shape", "[solver]", floa
           test::effect_passes<TestType>("viscous_drag", rest, make_pins(rest, {}, 0), "coefficient", 1.0));
       for (int step = 0; step < 240; ++step) REQUIRE(simulation->step());
       const StretchMeter meter(rest, make_pins(rest, {}, 0));
-      // A collapsed sheet's is 1. It opens within a step, with velocities that crumple it, and nothing
-      // smooths what was folded over: half is what that leaves (0.16 to 0.51), shear as published 36 to 190.
+      // The mean strain of a collapsed sheet is 1. The sheet opens within a step with velocities that crumple
+      // it, and nothing unfolds it again. This leaves a strain of up to about a half (0.16 to 0.51); the
+      // published shear leaves 36 to 190.
       CHECK(meter.summarise(meter.measure(simulation->positions())).mean_strain < 0.7);
     }
 }
 
-TEST_CASE("an unknown kind of element has no order, and the error names those that have", "[solver]") {
+TEST_CASE("the order of an unknown kind of element is refused, and the error names the known kinds",
+          "[solver]") {
   const auto simulation = make_simulation<double>(pinned_sheet(4), {});
   CHECK(simulation->element_order("hinge").constraint_of_lane().empty());
   CHECK_THROWS_WITH(simulation->element_order("hinges"), Catch::Matchers::ContainsSubstring("hinge, "));

@@ -1,4 +1,4 @@
-// Short substeps in single precision: what a substep changes is far below the last digit of a position.
+// Short substeps in single precision, in which vertices move by far less than the last digit of a position.
 #include <type_traits>
 
 #include "bendlab/constraints/kernels.hpp"
@@ -67,9 +67,9 @@ struct Strip {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a sheet without pins falls g t (t + h) / 2 however short the substeps", "[solver]", float,
-                   double) {
-  // Far from the origin of its coordinates a vertex has fewer digits: the sheet is 2 m wide.
+TEMPLATE_TEST_CASE("a sheet without pins falls by g t (t + h) / 2, also with very short substeps", "[solver]",
+                   float, double) {
+  // The sheet is 2 m wide: vertices far from the origin have fewer digits.
   const RestMesh rest(grid(2, 2, 2, 2, Diagonal::alternating));
   const Pins none = make_pins(rest, {}, 0);
   const bool apart = GENERATE(true, false);
@@ -82,7 +82,7 @@ TEMPLATE_TEST_CASE("a sheet without pins falls g t (t + h) / 2 however short the
     for (int i = 0; i < 15; ++i) REQUIRE(simulation->step());
     const double t = simulation->time(), fallen = gravity * t * (t + step / substeps) / 2;
     CAPTURE(substeps, apart);
-    // 4096 substeps round 60 000 times; 10⁻⁴ is asked for.
+    // 4096 substeps per step round 60 000 times. An error of 10⁻⁴ is required.
     CHECK_THAT(start.z() - mean(simulation->positions()).z(), Catch::Matchers::WithinRel(fallen, 1e-5));
     CHECK_THAT(mean(simulation->velocities()).z(), Catch::Matchers::WithinRel(-gravity * t, 1e-5));
   }
@@ -98,8 +98,8 @@ TEMPLATE_TEST_CASE("a hanging strip keeps its length with 4096 substeps", "[solv
 
 TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 substeps", "[solver]", float,
                    double) {
-  // Lumped masses make it ρ g L² / 2Y for any number of cells; 1 / Y = 0.01 m/N. Of two columns of cells,
-  // because one is not symmetric.
+  // With lumped masses the elongation is ρ g L² / 2Y for any number of cells; 1 / Y = 0.01 m/N. The strip has
+  // two columns of cells, because one column is not symmetric.
   Strip strip(2, 8, 256, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
@@ -110,9 +110,8 @@ TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 su
   CHECK_THAT(strip.length(*simulation) - 1, Catch::Matchers::WithinRel(expected, 1e-2));
 }
 
-TEST_CASE("single precision loses no more than rounding of the constraints", "[solver]") {
-  // The same sheet in both precisions for 0.1 s: positions agree to some digits of an edge, however many
-  // substeps.
+TEST_CASE("single precision agrees with double precision for any number of substeps", "[solver]") {
+  // After 0.1 s the positions of the same sheet in both precisions agree to a few digits of an edge.
   const RestMesh rest(grid(1, 1, 6, 6, Diagonal::alternating));
   const Pins pins = make_pins(rest, {0, 6}, 0);
   for (const int substeps : {1, 16, 256}) {
@@ -128,10 +127,11 @@ TEST_CASE("single precision loses no more than rounding of the constraints", "[s
   }
 }
 
-TEST_CASE("projections on rounded positions do where a substep moves the cloth by far more than a last digit",
-          "[solver]") {
-  // A membrane that hangs still, on its road there and at rest. Eight substeps of 1/60 s move 1 m of cloth by
-  // 400 last digits; the experiments keep them apart from 15 on.
+TEST_CASE(
+    "rounded positions are accurate enough if a substep moves the cloth by far more than the last digit",
+    "[solver]") {
+  // A hanging membrane, while it stretches and at rest. In one of eight substeps of a step of 1/60 s, 1 m of
+  // cloth moves by 400 last digits. From 15 substeps on, the experiments store moves apart from positions.
   Strip strip(2, 8, 8, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
@@ -147,7 +147,7 @@ TEST_CASE("projections on rounded positions do where a substep moves the cloth b
   CHECK_THAT(strip.length(*single) - 1, Catch::Matchers::WithinRel(strip.length(*twice) - 1, 1e-3));
 }
 
-TEST_CASE("a pin that moves is where it was put, to the last digit", "[solver]") {
+TEST_CASE("a moving pin is exactly where a pass put it", "[solver]") {
   const RestMesh rest(grid(1, 1, 2, 2, Diagonal::alternating));
   const Pins pins = make_pins(rest, {0}, 0);
   for (const bool apart : {true, false}) {
@@ -162,14 +162,14 @@ TEST_CASE("a pin that moves is where it was put, to the last digit", "[solver]")
     CAPTURE(apart);
     CHECK(simulation->positions()(0, 0) - input.origin.x() ==
           static_cast<double>(static_cast<float>(last) / 3));
-    // Two positions near 0.05 m are rounded to 4e-9 m each.
+    // Two positions near 0.05 m both have a rounding of 4e-9 m.
     CHECK_THAT(simulation->velocities()(0, 0), Catch::Matchers::WithinAbs(1.0 / 3, 2 * 4e-9 / h));
   }
 }
 
 TEST_CASE("an effect that moves vertices sees whole positions in single precision", "[solver]") {
-  // On tethers a strip without a membrane keeps its length: the tether works on positions, the solver on
-  // displacements.
+  // With tethers a strip without a membrane keeps its length. Tethers work on positions, while the solver
+  // works on displacements.
   Strip strip(1, 4, 16, 1);
   strip.input.strain = {};
   const auto simulation = simulation_with<float>(strip.input, {"gravity", "tethers"}, strip.rest, strip.pins);

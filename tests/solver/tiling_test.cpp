@@ -18,7 +18,8 @@ std::size_t colour_of(const BatchOrder& order, std::size_t stack) {
   return static_cast<std::size_t>(behind - order.colours.begin()) - 1;
 }
 
-// Every stack once, no range in two colours, no stack before one of an earlier colour that shares a vertex.
+// Checks that tiles hold every stack once, that no range has two colours, and that stacks which share a
+// vertex come in the order of their colours.
 template <class Corners>
 void check_tiles(const BatchOrder& order, const Corners& corners, int vertex_count, int tile_vertices) {
   std::vector<int> seen(order.stack_count(), 0);
@@ -43,12 +44,12 @@ void check_tiles(const BatchOrder& order, const Corners& corners, int vertex_cou
 
 }  // namespace
 
-TEST_CASE("tiles keep the order of whatever shares a vertex", "[solver]") {
+TEST_CASE("tiles keep the order of constraints that share a vertex", "[solver]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 24, 24), delaunay(1, 1, 16, 3), disc(1, 9)}) {
     const RestMesh rest(mesh);
     for (const char* model : {"crossover", "adaptive"}) {
       SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), model);
-      for (const bool numbered_at_random : {false, true}) {  // at random nothing can be tiled; it must hold
+      for (const bool numbered_at_random : {false, true}) {  // random numbering allows no tiles
         if (numbered_at_random) {
           std::vector<int> permutation(static_cast<std::size_t>(rest.vertex_count()));
           std::iota(permutation.begin(), permutation.end(), 0);
@@ -68,7 +69,8 @@ TEST_CASE("tiles keep the order of whatever shares a vertex", "[solver]") {
   }
 }
 
-TEST_CASE("a large grid is cut into tiles and a small one into its colours", "[solver]") {
+TEST_CASE("tiles smaller than the grid divide each colour, a tile as large as the grid does not",
+          "[solver]") {
   const RestMesh rest(grid(1, 1, 200, 200));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
   const auto& pairs = input.distance.vertices;
@@ -78,7 +80,8 @@ TEST_CASE("a large grid is cut into tiles and a small one into its colours", "[s
   CHECK(tiled(order, pairs, rest.vertex_count(), rest.vertex_count() / 8).size() >= 4 * colours);
 }
 
-TEMPLATE_TEST_CASE("tile by tile and colour by colour give the same bits", "[solver]", float, double) {
+TEMPLATE_TEST_CASE("tile by tile and colour by colour, the solver gives the same bits", "[solver]", float,
+                   double) {
   const RestMesh rest(grid(1, 1, 180, 180));  // 32 761 vertices: several tiles in both precisions
   SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
   input.method = Pbd{.sweep = Sweep::symmetric};

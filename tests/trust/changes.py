@@ -1,5 +1,5 @@
-"""A program that was built from sources with changes that nobody committed keeps them: whoever has the commit
-gets the sources back. A run names them.
+"""A program that was built from sources with uncommitted changes keeps these changes, so that its sources can
+be restored from the commit. A run names the changes.
 
     changes.py PROGRAM      exit 1 if not; 77 without git or cmake
 """
@@ -23,7 +23,7 @@ def git(folder, *arguments, **options):
 
 
 def built_in(folder, header):
-    """(hash, patch) that version.cmake makes of a checkout."""
+    """(hash, patch) that version.cmake derives from a checkout."""
     subprocess.run(["cmake", f"-DSOURCE={folder}", f"-DOUTPUT={header}", "-DVERSION=1", "-DCOMPILER=c",
                     "-DFLAGS=f", "-DBUILD_TYPE=b", "-P", SOURCE / "experiments/version.cmake"], check=True,
                    capture_output=True)
@@ -50,15 +50,15 @@ def main(program):
         (checkout / "lib/bendlab").mkdir(parents=True)
         (checkout / "experiments/run").mkdir(parents=True)
         (checkout / "CMakeLists.txt").write_text("# nothing\n")
-        one = checkout / "lib/bendlab/one.cpp"
-        one.write_text('const char* text = "a;b[c] ${d} \\\\";\n', encoding="utf-8")
+        source = checkout / "lib/bendlab/one.cpp"
+        source.write_text('const char* text = "a;b[c] ${d} \\\\";\n', encoding="utf-8")
         (checkout / "experiments/run/two.cpp").write_text("int two = 2;\n")
         git(checkout, "init", "-q")
         git(checkout, "add", ".")
         git(checkout, "commit", "-qm", "one")
         if built_in(checkout, header) != ("", b""):
-            wrong.append("a checkout without changes has some")
-        one.write_text('const char* text = "ä;;[x]] ${e} \\\\ \\"";\n', "utf-8")
+            wrong.append("a checkout without changes has changes")
+        source.write_text('const char* text = "ä;;[x]] ${e} \\\\ \\"";\n', "utf-8")
         (checkout / "experiments/run/two.cpp").unlink()
         (checkout / "experiments/run/not yet known.cpp").write_text("int three = 3;\n")
         (checkout / "lib/bendlab/picture.bin").write_bytes(bytes(range(256)))
@@ -67,20 +67,20 @@ def main(program):
         git(place, "clone", "-q", checkout, clone)
         git(clone, "apply", "-", input=patch)
         if tree(clone) != tree(checkout):
-            wrong.append("the commit and its patch are not the sources")
+            wrong.append("the commit and its patch do not give the sources")
         (checkout / "CMakeLists.txt").write_text("# something\n")
         if built_in(checkout, header)[0] == first:
-            wrong.append("other changes have the same name")
+            wrong.append("different changes have the same name")
 
         write_config(place, "tiny", mesh={"cells": 3}, duration=0.1)
         done = run(program, "run", "tiny.json", folder=place)
-        shown = json.loads(run(program, "list", "--json", folder=place).stdout)["provenance"]
-        named = shown.get("git_changes")
-        if done.returncode or (shown["git_dirty"] == "yes") != bool(named):
-            wrong.append(f"dirty {shown['git_dirty']}, changes {named}")
+        provenance = json.loads(run(program, "list", "--json", folder=place).stdout)["provenance"]
+        named = provenance.get("git_changes")
+        if done.returncode or (provenance["git_dirty"] == "yes") != bool(named):
+            wrong.append(f"dirty {provenance['git_dirty']}, changes {named}")
         kept = Path(place) / "results" / str(named)
         if named and not gzip.decompress(kept.read_bytes()).startswith(b"diff --git"):
-            wrong.append("the results' patch is none")
+            wrong.append("the patch in the results is no patch")
     print("\n".join(wrong) or "the changes since the commit are kept")
     return 1 if wrong else 0
 

@@ -1,9 +1,8 @@
-"""Runs the program where a disk has room for a few blocks only, from the start or when another program fills
-it
-meanwhile: it says so and ends, and what it calls finished is whole.
+"""Runs the program on a disk with room for only a few blocks, from the start or after another program has
+filled the disk. The program must report this and end, and files that it calls finished must be whole.
 
-    disk.py PROGRAM [SIZES]      exit 1 if a run crashes, hangs or leaves a false file; 77 where no small disk
-                                 can be made (that takes a mount in a user namespace)
+    disk.py PROGRAM [SIZES]      exit 1 if a run crashes, hangs or leaves a false file; 77 if no small disk
+                                 can be mounted (this needs a mount in a user namespace)
 """
 import subprocess
 import sys
@@ -21,7 +20,7 @@ cp -r disk/out kept/small-{size} 2>/dev/null
 exit $code
 """
 
-# The run has begun its file when the disk is filled but for so many KiB.
+# The disk is filled after the run has started its file, except for {size} KiB.
 FILLED = """
 mount -t tmpfs -o size=65536k none disk || exit 77
 timeout -s KILL 60 "$1" run long.json --out disk/out --jobs 1 >/dev/null 2>messages &
@@ -40,7 +39,7 @@ exit $code
 
 
 def attempt(program, folder, script):
-    """(exit code, last line on stderr); 77: there is no such disk."""
+    """(exit code, last line on stderr). Exit code 77: no small disk can be mounted."""
     done = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "bash", "-c", script, "bash",
                            program], cwd=folder, check=False, capture_output=True, text=True)
     if done.returncode == 77 or "unshare" in done.stderr:
@@ -54,7 +53,7 @@ def main(program, sizes=16):
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
         (folder / "disk").mkdir()
-        # A run that begins its file before its end, and one that writes it all at the end.
+        # A run that starts its file early, and a run that writes the whole file at its end.
         write_config(folder, "sweep", duration=1, output={"frames_per_second": 60},
                      sweep={"/mesh/cells": [24, 3]})
         write_config(folder, "long", duration=40, mesh={"cells": 24}, output={"frames_per_second": 60})
@@ -66,14 +65,14 @@ def main(program, sizes=16):
                     print(f"skipped: no small disk can be mounted here ({text.strip()})")
                     return 77
                 false = [file for file in run_files(folder / "kept") if seal_of(file) != "whole"]
-                told = "space" in text or "free" in text
-                refused += code in (1, 5) and told
-                if false or not (code == 0 or (code in (1, 5) and told)):
+                reported = "space" in text or "free" in text
+                refused += code in (1, 5) and reported
+                if false or not (code == 0 or (code in (1, 5) and reported)):
                     wrong += 1
                     print(
                         f"{name}, {size} KiB: exit code {code}, false files {list(map(str, false))}: {text}",
                         flush=True)
-    print(f"{2 * sizes} disks with room for 4 to 64 KiB: {refused} times refused, {wrong} times wrong")
+    print(f"{2 * sizes} disks with room for 4 to 64 KiB: {refused} runs refused, {wrong} results wrong")
     return 1 if wrong or not refused else 0
 
 

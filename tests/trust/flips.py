@@ -1,4 +1,4 @@
-"""Flips one bit of a finished run file at a time: the program computes the run again, with the same numbers.
+"""Flips single bits of finished run files. The program must compute the run again, with the same numbers.
 
     flips.py PROGRAM [FLIPS]      exit 1 if a flip goes unnoticed
 """
@@ -12,7 +12,7 @@ from program import run, run_files, write_config
 
 
 def runs(program, folder):
-    """{id: (reused, summary)} of the sweep, run again."""
+    """{id: (reused, summary)} after `bendlab run` of the sweep."""
     done = run(program, "run", "sweep.json", "--out", "out", "--json", folder=folder)
     if done.returncode:
         raise SystemExit(f"exit code {done.returncode}: {done.stderr}")
@@ -26,11 +26,11 @@ def is_noticed(program, folder, file, chance, summaries):
     data[at] ^= 1 << chance.randrange(8)
     file.unlink()
     file.write_bytes(data)
-    found = runs(program, folder)
+    outcomes = runs(program, folder)
     for aside in file.parent.glob("*.bad"):
         aside.unlink()
-    redone = [each for each, (reused, _) in found.items() if not reused]
-    same = {each: summary for each, (_, summary) in found.items()} == summaries
+    redone = [run_id for run_id, (reused, _) in outcomes.items() if not reused]
+    same = {run_id: summary for run_id, (_, summary) in outcomes.items()} == summaries
     if len(redone) == 1 and same:
         return True
     print(f"byte {at} of {file.parent.name}: {len(redone)} runs were computed again, numbers "
@@ -44,7 +44,7 @@ def main(program, flips=1000, seed=1):
         folder = Path(place)
         write_config(folder, "sweep", mesh={"cells": 4}, duration=0.2,
                      sweep={"/mesh/cells": [3, 5], "/solver/substeps": [1, 2]})
-        summaries = {each: summary for each, (_, summary) in runs(program, folder).items()}
+        summaries = {run_id: summary for run_id, (_, summary) in runs(program, folder).items()}
         noticed = sum(is_noticed(program, folder, chance.choice(run_files(folder / "out")), chance, summaries)
                       for _ in range(flips))
     print(f"{noticed} of {flips} flipped bits were noticed")

@@ -1,9 +1,10 @@
-"""Whether a run takes the memory and the disk that `plan` says, for every model; and what is refused.
+"""Checks that runs take the memory and disk space that `plan` states, for every model, and that runs which
+need too much memory are refused.
 
-    forecast.py PROGRAM [CELLS…]      64 and 128 cells by default; exit 1 if something is more than 20 % off
+    forecast.py PROGRAM [CELLS…]      64 and 128 cells by default; exit 1 if a forecast is more than 20 % off
 
-Memory is the largest resident set of the process that computes the run. (A child counts what its parent had
-when it began, so that this script imports nothing large.)
+Memory is the largest resident set of the process that computes the run. (It includes the memory of the parent
+when the child starts, so this script imports nothing large.)
 """
 import json
 import os
@@ -27,7 +28,7 @@ MODELS = [
     "choi_ko",
     "isometric"]
 WITHIN = 0.2
-ABOVE = 0.8  # of the memory of this machine: larger runs are left out
+ABOVE = 0.8  # share of this machine's memory; larger runs are left out
 
 
 SOLVERS = [{"levels": 12}, {"method": "quasi_newton"}, {"method": "newton", "iterations": 1}]
@@ -42,23 +43,23 @@ def config(cells, model, stiffness, diagonal="same", solver=None):
 
 
 def planned(program, folder):
-    said = subprocess.run([program, "plan", "run.json", "--json"], cwd=folder, text=True, capture_output=True,
+    done = subprocess.run([program, "plan", "run.json", "--json"], cwd=folder, text=True, capture_output=True,
                           check=True)
-    return json.loads(said.stdout)["needs"]
+    return json.loads(done.stdout)["needs"]
 
 
 def largest_set(program, folder, limit=None):
-    """The outcome of the run as JSON (None: it failed), its memory in bytes, and what it said."""
+    """The outcome of the run as JSON (None if it failed), its memory in bytes, and its output on stderr."""
     limits = (lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))) if limit else None
-    with open(folder / "said", "w+", encoding="utf-8") as said:
+    with open(folder / "errors", "w+", encoding="utf-8") as errors:
         started = subprocess.Popen([program, "run", "run.json", "--force", "--json"], cwd=folder, text=True,
-                                   stdout=subprocess.PIPE, stderr=said, preexec_fn=limits)
+                                   stdout=subprocess.PIPE, stderr=errors, preexec_fn=limits)
         text = started.stdout.read()
         _, status, usage = os.wait4(started.pid, 0)
         started.returncode = os.waitstatus_to_exitcode(status)
-        said.seek(0)
-        found = json.loads(text) if text else {}
-        return found if found.get("file") else None, usage.ru_maxrss * 1024, said.read()
+        errors.seek(0)
+        outcome = json.loads(text) if text else {}
+        return outcome if outcome.get("file") else None, usage.ru_maxrss * 1024, errors.read()
 
 
 def main(program, sizes):
@@ -78,12 +79,12 @@ def main(program, sizes):
             if needs["memory_bytes"] > ABOVE * there:
                 print(*case, f"left out: {needs['memory_bytes'] / 1e9:.3g} GB", flush=True)
                 continue
-            outcome, memory, said = largest_set(program, folder)
-            for _ in range(2):  # a thread that frees later than usual adds to one run in ten
+            outcome, memory, errors = largest_set(program, folder)
+            for _ in range(2):  # in one run of ten, a thread frees its memory late
                 if outcome is not None and memory > (1 + WITHIN) * needs["memory_bytes"]:
                     memory = min(memory, largest_set(program, folder)[1])
             if outcome is None:
-                print(*case, "failed:", said)
+                print(*case, "failed:", errors)
                 wrong += 1
                 continue
             tried += 1
@@ -96,14 +97,14 @@ def main(program, sizes):
                 print(*case, f"{memory / 1e6:.0f} MB, expected {off['memory']:+.0%},",
                       f"disk {off['disk']:+.0%},",
                       f"CPU {needs['cpu_s'] / outcome['cpu_s'] - 1:+.0%}", flush=True)
-        print(f"{tried} runs: {wrong} are more than {WITHIN:.0%} off; the largest of memory "
-              f"{most['memory']:.0%}, of disk {most['disk']:.0%}")
+        print(f"{tried} runs: {wrong} are more than {WITHIN:.0%} off; the largest error is "
+              f"{most['memory']:.0%} for memory and {most['disk']:.0%} for disk")
 
-        # Half a gigabyte is not enough for this run: it says so before it takes any.
+        # Half a gigabyte is not enough for this run. It must say so before it takes memory.
         (folder / "run.json").write_text(json.dumps(config(256, "adaptive", "physical")), encoding="utf-8")
-        outcome, memory, said = largest_set(program, folder, 1 << 29)
-        print(said.strip(), f"({memory / 1e6:.0f} MB taken)")
-        if outcome is not None or "of memory" not in said or "/mesh/cells" not in said or memory > 100e6:
+        outcome, memory, errors = largest_set(program, folder, 1 << 29)
+        print(errors.strip(), f"({memory / 1e6:.0f} MB taken)")
+        if outcome is not None or "of memory" not in errors or "/mesh/cells" not in errors or memory > 100e6:
             wrong += 1
     return 1 if wrong else 0
 

@@ -1,6 +1,6 @@
-"""Inputs that are too much, or no files at all: each is refused at once, in words that say what is allowed.
+"""Inputs that are too large or are no regular files are refused at once. The message says what is allowed.
 
-    inputs.py PROGRAM [SIZE]      exit 1 if one is not; SIZE values, keys, entries
+    inputs.py PROGRAM [SIZE]      exit 1 if an input is not refused; lists have SIZE values, keys or entries
 """
 import json
 import os
@@ -15,7 +15,7 @@ PATIENCE = 10  # s
 
 
 def configs(folder, size):
-    """(name, what its refusal says) of configs with too much of something."""
+    """(name, part of the message) for configs that are too large in some way."""
     flat = [{"type": "gravity"}]
     numbers = [0.1 + 1e-9 * step for step in range(size)]
     every = {f"/k{step}": [1] for step in range(size)}
@@ -34,19 +34,19 @@ def configs(folder, size):
         "rate": ({"output": {"frames_per_second": 1e12}}, "/output/frames_per_second"),
         "slow": ({"duration": 1e18}, "steps of /solver/dt"),
     }
-    for name, (settings, told) in too_much.items():
+    for name, (settings, message) in too_much.items():
         write_config(folder, name, **{key: value for key, value in settings.items() if key != "name"})
         if "name" in settings:
             (folder / f"{name}.json").write_text(json.dumps(settings), encoding="utf-8")
-        yield f"{name}.json", told
+        yield f"{name}.json", message
     (folder / "twice.json").write_text('{"name": "t"' + ', "a": 1' * size + "}", encoding="utf-8")
-    yield "twice.json", "there twice"
+    yield "twice.json", "this key twice"
     (folder / "deep.json").write_text("[" * size, encoding="utf-8")
     yield "deep.json", "nested deeper"
 
 
 def no_files(folder):
-    """(path, what is said of it)."""
+    """(path, part of the message) for paths that are no regular files."""
     os.mkfifo(folder / "pipe")
     (folder / "folder").mkdir()
     (folder / "round").symlink_to("about")
@@ -60,40 +60,40 @@ def no_files(folder):
 def main(program, size=300000):
     wrong = tried = 0
 
-    def check(arguments, code, told):
+    def check(arguments, code, message):
         nonlocal wrong, tried
         tried += 1
-        shown = " ".join(each if len(each) < 60 else f"{each[:20]}…" for each in arguments)
+        command = " ".join(word if len(word) < 60 else f"{word[:20]}…" for word in arguments)
         try:
             done = run(program, *arguments, folder=folder, timeout=PATIENCE)
         except subprocess.TimeoutExpired:
             wrong += 1
-            print(f"{shown}: takes more than {PATIENCE} s", flush=True)
+            print(f"{command}: takes more than {PATIENCE} s", flush=True)
             return
-        if done.returncode != code or told not in done.stderr or len(done.stderr) > 100000:
+        if done.returncode != code or message not in done.stderr or len(done.stderr) > 100000:
             wrong += 1
-            print(f"{shown}: exit code {done.returncode}, {len(done.stderr)} bytes: {done.stderr[:300]}",
+            print(f"{command}: exit code {done.returncode}, {len(done.stderr)} bytes: {done.stderr[:300]}",
                   flush=True)
 
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
-        for name, told in configs(folder, size):
-            check(["validate", name], 3, told)
+        for name, message in configs(folder, size):
+            check(["validate", name], 3, message)
         write_config(folder, "tiny", duration=0.1)
-        for path, told in no_files(folder):
-            check(["validate", path], 3, told)
-            check(["mesh", path], 5, told)
+        for path, message in no_files(folder):
+            check(["validate", path], 3, message)
+            check(["mesh", path], 5, message)
             for command in ("run", "validate"):
-                check([command, "tiny.json", "--set", f"/mesh/file={path}"], 5, told)
+                check([command, "tiny.json", "--set", f"/mesh/file={path}"], 5, message)
             check(["run",
                    "tiny.json",
                    "--set",
                    f'/effects=[{{"type": "gravity"}}, {{"type": "mesh_obstacle", "file": "{path}"}}]'],
                   5,
-                  told)
+                  message)
             check(["status", path], 5, "")
-            check(["show", path], 2, "is no run file")
-    print(f"{tried} inputs, {wrong} of them not refused as they should be")
+            check(["show", path], 2, "is not a run file")
+    print(f"{tried} inputs, {wrong} of them not refused properly")
     return 1 if wrong else 0
 
 

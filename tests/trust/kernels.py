@@ -1,8 +1,8 @@
-"""An equilibrium has other bits with other kernels of OpenBLAS: a run that was computed with others is
-reused,
-and that is told; other methods have the same bits, and nothing is told. 'rerun' names the kernels.
+"""An equilibrium has different bits with different kernels of OpenBLAS. A run that was computed with other
+kernels is reused with a warning. Other methods have the same bits and give no warning. 'rerun' names the
+kernels.
 
-    kernels.py PROGRAM      exit 1 if not; 77 where OpenBLAS has no other kernels to choose
+    kernels.py PROGRAM      exit 1 if not; 77 if OpenBLAS has no other kernels to choose
 """
 import json
 import os
@@ -42,16 +42,16 @@ def main(program):
         bits = {}
         for name in ("moves", "rests", "begins"):
             compute(name, KERNELS[0])
-            found, told = compute(name, KERNELS[1])
-            check(found["reused"], f"{name} was not reused")
-            check(("BLAS kernels for Prescott" in told) == (name != "moves"), f"{name}: told {told!r}")
-            _, told = compute(name, KERNELS[0])
-            check("BLAS" not in told, f"{name}: with the same kernels told {told!r}")
+            outcome, errors = compute(name, KERNELS[1])
+            check(outcome["reused"], f"{name} was not reused")
+            check(("BLAS kernels for Prescott" in errors) == (name != "moves"), f"{name}: printed {errors!r}")
+            _, errors = compute(name, KERNELS[0])
+            check("BLAS" not in errors, f"{name}: with the same kernels printed {errors!r}")
             compute(name, KERNELS[1], "other")
-            one, = run_files(folder / "out" / name)
-            other, = run_files(folder / "other" / name)
-            bits[name] = differences(one, other)
-            again = run(program, "rerun", one, "--json", folder=folder,
+            first, = run_files(folder / "out" / name)
+            second, = run_files(folder / "other" / name)
+            bits[name] = differences(first, second)
+            again = run(program, "rerun", first, "--json", folder=folder,
                         env={**os.environ, "OPENBLAS_CORETYPE": KERNELS[1]})
             changed = json.loads(again.stdout)["changed"]
             if "blas_kernels" not in changed:

@@ -1,5 +1,5 @@
-"""Kills runs at random moments and starts them again, until they are complete: the files must be those of
-runs that nobody killed, to the bit.
+"""Kills runs at random moments and starts them again until they are complete. The files must equal the files
+of runs that were not killed, to the bit.
 
     kills.py PROGRAM [KILLS]      exit 1 if a file differs
 """
@@ -22,7 +22,7 @@ SHEET = {"mesh": {"cells": 40}, "duration": 4.0, "output": {"measures": ["stabil
 HINGES = {"bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
           "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}}
 
-# Every method, both precisions, every effect and measure that keeps something between steps.
+# Every method, both precisions, and every effect and measure that keeps state between steps.
 SCENES = {
     "pbd_float": {**SHEET, "defaults": "paper", "solver": {"precision": "single", "substeps": 4}},
     "pbd_double": {**SHEET, "bending": {"model": "adaptive"}, "solver": {"precision": "double"}},
@@ -74,18 +74,18 @@ def kill_once(program, folder, scene, after, how):
 
 
 def compared(folder):
-    """(times the runs went on from a checkpoint, what differs) of complete runs."""
+    """(how often runs continued from a checkpoint, differences) for complete runs."""
     names = [{str(file.relative_to(folder / out)) for file in run_files(folder / out)} for out in OUTS]
-    found = [f"one has no {name}" for name in sorted(names[0] ^ names[1])]
+    differing = [f"{name} is missing on one side" for name in sorted(names[0] ^ names[1])]
     went_on = 0
     for name in sorted(names[0] & names[1]):
-        found += [f"{name}: {what}" for what in differences(*(folder / out / name for out in OUTS))]
+        differing += [f"{name}: {part}" for part in differences(*(folder / out / name for out in OUTS))]
         went_on += times_gone_on(folder / "killed" / name)
-    return went_on, found
+    return went_on, differing
 
 
 def check(program, folder, scene, kills, chance):
-    """(kills, times the runs went on from a checkpoint, what differs) of one scene."""
+    """(kills, how often runs continued from a checkpoint, differences) for a scene."""
     for out in OUTS:
         fresh(folder / out)
     write_config(folder, scene, allow=["implausible"], **SCENES[scene])
@@ -95,33 +95,34 @@ def check(program, folder, scene, kills, chance):
     if whole.returncode:
         raise SystemExit(f"{scene}: {whole.stderr}{whole.stdout}")
     killed = went_on = 0
-    found = []
+    differing = []
     while killed < kills or run_files(folder / "killed") == []:
         how = chance.choice([signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT])
         if killed < kills and kill_once(program, folder, scene, chance.uniform(0.02, 1.1 * took), how):
             killed += 1
             continue
         run(program, "run", f"{scene}.json", "--out", "killed", folder=folder)
-        times, what = compared(folder)
+        times, parts = compared(folder)
         went_on += times
-        found += what
+        differing += parts
         if killed < kills:
             fresh(folder / "killed")
-    return killed, went_on, found
+    return killed, went_on, differing
 
 
 def main(program, kills=50, seed=1):
     chance = random.Random(seed)
-    each = -(-kills // len(SCENES))
+    kills_per_scene = -(-kills // len(SCENES))
     total = resumed = wrong = 0
     with tempfile.TemporaryDirectory() as place:
         Path(place, "pyramid.obj").write_text(MESH, encoding="utf-8")
         for scene in SCENES:
-            killed, went_on, found = check(program, Path(place), scene, each, chance)
-            total, resumed, wrong = total + killed, resumed + went_on, wrong + bool(found)
-            print(f"{scene}: {killed} kills, went on {went_on} times; "
-                  f"{'the same bits' if not found else 'DIFFERS: ' + ', '.join(found[:6])}", flush=True)
-    print(f"{total} kills, {resumed} times a run went on; {wrong} of {len(SCENES)} scenes differ")
+            killed, went_on, differing = check(program, Path(place), scene, kills_per_scene, chance)
+            total, resumed, wrong = total + killed, resumed + went_on, wrong + bool(differing)
+            print(f"{scene}: {killed} kills, continued {went_on} times; "
+                  f"{'the same bits' if not differing else 'DIFFERS: ' + ', '.join(differing[:6])}",
+                  flush=True)
+    print(f"{total} kills, {resumed} continued runs; {wrong} of {len(SCENES)} scenes differ")
     return 1 if wrong else 0
 
 

@@ -1,5 +1,5 @@
-"""Puts a link to a file elsewhere in place of every file that the program writes: the file elsewhere stays as
-it is.
+"""Replaces every file that the program writes by a link to another file. The program must not change that
+other file.
 
     links.py PROGRAM [ROUNDS]      exit 1 if the program writes through a link
 """
@@ -16,7 +16,7 @@ PRECIOUS = b"of somebody else\n"
 
 
 def work(program, folder):
-    """Everything that writes: runs (two of which fail), index, plan, work, repetition, exports."""
+    """Runs all commands that write files: runs (two of them fail), index, plan, work, rerun, exports."""
     configs = ("sweep.json", "--out", "out")
     run(program, "run", *configs, folder=folder)
     run(program, "run", *configs, "--force", "--checkpoint", "0.001", folder=folder)
@@ -47,7 +47,7 @@ def main(program, rounds=1):
             shutil.copytree(inputs, folder)
             work(program, folder)
             out = folder / "out"
-            names = {*names_in(out), *(found.relative_to(out) / old for found in out.glob("**")
+            names = {*names_in(out), *(subfolder.relative_to(out) / old for subfolder in out.glob("**")
                                        for old in OLD_NAMES)}
             tried += len(names)
             elsewhere = fresh(folder / "elsewhere")
@@ -56,16 +56,16 @@ def main(program, rounds=1):
                 (elsewhere / str(count)).write_bytes(PRECIOUS)
                 (out / name).parent.mkdir(parents=True, exist_ok=True)
                 (out / name).symlink_to(elsewhere / str(count))
-            # A link whose file does not exist would make one.
+            # A link to a missing file, which would be created.
             (out / "sweep.sweep.json").symlink_to(elsewhere / "made")
             work(program, folder)
             for count, name in enumerate(sorted(names)):
                 if (elsewhere / str(count)).read_bytes() != PRECIOUS:
                     wrong += 1
-                    print(f"written through the link {name}", flush=True)
+                    print(f"the program wrote through the link {name}", flush=True)
             if len(list(elsewhere.iterdir())) != len(names):
                 wrong += 1
-                print(f"made elsewhere: {sorted(path.name for path in elsewhere.iterdir())[-1]}", flush=True)
+                print(f"new elsewhere: {sorted(path.name for path in elsewhere.iterdir())[-1]}", flush=True)
     print(f"{tried} links, {wrong} of them followed")
     return 1 if wrong or tried < 20 * rounds else 0
 

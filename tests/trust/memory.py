@@ -1,4 +1,4 @@
-"""Runs the program with little memory (ulimit -v): it works or says what it lacks, and ends.
+"""Runs the program with little memory (ulimit -v). It must work, or report that memory is missing and end.
 
     memory.py PROGRAM [LIMITS]      exit 1 if a run crashes or hangs; 77 if no limit is enough
 """
@@ -10,8 +10,8 @@ from pathlib import Path
 
 from program import run_files, seal_of, write_config
 
-LEAST, MOST = 40, 640  # MiB of address space: from what cannot be loaded to what is enough
-STARTS = 220  # MiB: below it the libraries may end the program while it is being loaded
+LEAST, MOST = 40, 640  # MiB of address space: from too little for loading to enough
+STARTS = 220  # MiB: with less memory, libraries may end the program while it is loaded
 TIME_LIMIT = 60  # s
 
 
@@ -49,14 +49,14 @@ def main(program, limits=16):
             limit = LEAST + step * (MOST - LEAST) // max(1, limits - 1)
             code, text = attempt(program, folder, limit)
             done += code == 0
-            # While it is being loaded, a library without memory ends the process as it likes.
+            # During loading, a library without memory may end the process with any exit code.
             ends_well = code is not None and 0 <= code <= 6
             in_loading = limit < STARTS and code is not None
             if not (ends_well or in_loading) or any(seal_of(file) != "whole" for file in run_files(folder)):
                 wrong += 1
                 print(f"{limit} MiB: {'hangs' if code is None else f'exit code {code}'}: {text[-300:]}",
                       flush=True)
-    print(f"{limits} limits of memory: {done} times enough, {wrong} times wrong")
+    print(f"{limits} limits of memory: {done} runs had enough, {wrong} ended wrongly")
     return 1 if wrong else 0 if done else 77  # under the address sanitizer no limit is enough
 
 

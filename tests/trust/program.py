@@ -16,7 +16,7 @@ TIMES = ("wall_s", "cpu_s", "step_cpu_s")
 
 
 def run(program, *arguments, folder, **options):
-    """A finished `bendlab ARGUMENTS` in `folder`."""
+    """Runs `bendlab ARGUMENTS` in `folder`. The finished process."""
     return subprocess.run([program, *map(str, arguments)], cwd=folder, text=True, capture_output=True,
                           stdin=subprocess.DEVNULL, check=False, **options)
 
@@ -27,7 +27,7 @@ def start(program, *arguments, folder):
 
 
 def fresh(folder):
-    """The folder, empty."""
+    """Empties or creates the folder. Returns it."""
     shutil.rmtree(folder, ignore_errors=True)
     Path(folder).mkdir(parents=True)
     return Path(folder)
@@ -38,16 +38,16 @@ def run_files(out):
 
 
 def times_gone_on(file):
-    """How often the run of a file went on from a checkpoint."""
+    """How often the run of a file continued from a checkpoint."""
     with h5py.File(file, "r") as run_file:
         times = Facts(run_file).provenance.get("went_on_at", "")
     return len(times.split(",")) if times else 0
 
 
-def differences(one, other):
-    """Names of what differs between two run files, but for times: datasets to the bit, summary, status."""
-    found = []
-    with h5py.File(one, "r") as a, h5py.File(other, "r") as b:
+def differences(first, second):
+    """The parts of two run files that differ, except for times: datasets to the bit, summary, verdict."""
+    differing = []
+    with h5py.File(first, "r") as a, h5py.File(second, "r") as b:
         names = [set(), set()]
         for file, seen in ((a, names[0]), (b, names[1])):
             file.visititems(lambda name, node: seen.add(name) if isinstance(node, h5py.Dataset) else None)
@@ -55,21 +55,21 @@ def differences(one, other):
             if name in ("facts", "outcome"):
                 continue
             if name not in a or name not in b:
-                found.append(name)
+                differing.append(name)
             elif a[name].dtype == object:
-                found += [name] if a[name][()].tolist() != b[name][()].tolist() else []
+                differing += [name] if a[name][()].tolist() != b[name][()].tolist() else []
             elif a[name].shape != b[name].shape or a[name][()].tobytes() != b[name][()].tobytes():
-                found.append(name)
+                differing.append(name)
         facts = [Facts(file) for file in (a, b)]
-        summaries = [each.summary for each in facts]
+        summaries = [part.summary for part in facts]
         for key in sorted(summaries[0].keys() | summaries[1].keys()):
             values = [np.asarray(summary.get(key, "none")).tobytes() for summary in summaries]
-            found += [f"summary {key}"] if values[0] != values[1] else []
-        found += ["status"] if facts[0].status != facts[1].status else []
-        found += ["config"] if facts[0].config != facts[1].config else []
-        counts = [[(name, *counts) for name, _, *counts in each.passes] for each in facts]
-        found += ["calls of passes"] if counts[0] != counts[1] else []
-    return found
+            differing += [f"summary {key}"] if values[0] != values[1] else []
+        differing += ["status"] if facts[0].status != facts[1].status else []
+        differing += ["config"] if facts[0].config != facts[1].config else []
+        counts = [[(name, *counts) for name, _, *counts in part.passes] for part in facts]
+        differing += ["calls of passes"] if counts[0] != counts[1] else []
+    return differing
 
 
 def write_config(folder, name, **settings):

@@ -1,4 +1,4 @@
-"""Starts the same sweep in four processes at once: each run is computed once, and every file is whole.
+"""Starts the same sweep in four processes at once. Each run must be computed once, and every file be whole.
 
     rounds.py PROGRAM [ROUNDS]      exit 1 if a round fails
 """
@@ -14,7 +14,7 @@ RUNS = 8
 
 
 def wrong_in(program, folder):
-    """What is wrong after one round, "" for nothing."""
+    """The problem after a round, or "" if there is none."""
     fresh(folder / "out")
     children = [start(program, "run", "sweep.json", "--jobs", 2, "--out", "out", "--json", folder=folder)
                 for _ in range(PROCESSES)]
@@ -29,7 +29,7 @@ def wrong_in(program, folder):
     if any(seal_of(file) != "whole" for file in files):
         return "a file is not whole"
     left = {file.name for file in (folder / "out").glob("**/*")
-            if file.is_file() and not file.name.endswith(".patch.gz")}  # of the program, once for all
+            if file.is_file() and not file.name.endswith(".patch.gz")}  # shared by all runs
     return f"left files {sorted(left)}" if left != {"run.vtkhdf", "sweep.sweep.json"} else ""
 
 

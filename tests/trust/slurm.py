@@ -1,11 +1,11 @@
 """Computes a sweep with a real Slurm on this machine, while workers are killed, tasks are requeued, the node
-goes down and time limits strike: every run must be computed once, with the bits that `bendlab run` gives.
+goes down and time limits strike. Every run must be computed once, with the same bits as by `bendlab run`.
 
-    slurm.py PROGRAM [--time-limit]     with --time-limit also limits that strike inside a run, which goes on
-                                        from its checkpoint: some minutes more
+    slurm.py PROGRAM [--time-limit]     --time-limit adds time limits that strike inside a run, which then
+                                        continues from its checkpoint; this takes some minutes more
 
-Needs Debian's slurm-wlm and munge, and root. Starts munged, slurmctld and slurmd of its own, on the loopback
-device, with every file in a temporary folder; ends them by their process numbers. Exit code 77 where
+Needs Debian's slurm-wlm and munge, and root. Starts its own munged, slurmctld and slurmd on the loopback
+device, with all files in a temporary folder, and ends them by their process numbers. The exit code is 77 if
 something is missing.
 """
 import json
@@ -31,7 +31,7 @@ SWEEP = {"mesh": {"cells": 24}, "duration": 2.0,
          "sweep": {"/bending/flexural_rigidity": [1e-6 * (i + 1) for i in range(RUNS)]}}
 LONG = {"mesh": {"cells": 64}, "duration": 60.0, "solver": {"substeps": 10},
         "output": {"frames_per_second": 1}}
-LONG_S = 100  # of CPU time: more than Slurm's least limit of a minute
+LONG_S = 100  # CPU time, s: more than Slurm's smallest limit of a minute
 
 
 def free_port():
@@ -41,7 +41,7 @@ def free_port():
 
 
 class Slurm:
-    """One node with CPUS cores that takes jobs; a context."""
+    """A context in which Slurm runs, with one node of CPUS cores."""
 
     def __init__(self, folder):
         self.folder, self.children = folder, []
@@ -64,7 +64,7 @@ class Slurm:
         self.spawn("munged", "--foreground", "--force", f"--socket={sockets}", f"--key-file={key}",
                    f"--pid-file={self.folder}/munged.pid", f"--log-file={self.folder}/munged.log",
                    f"--seed-file={self.folder}/munge.seed")
-        self.wait(sockets.exists, "munged makes no socket")
+        self.wait(sockets.exists, "munged creates no socket")
         for name in ("state", "spool"):
             (self.folder / name).mkdir()
         (self.folder / "slurm.conf").write_text(f"""
@@ -139,7 +139,7 @@ PartitionName=all Nodes={self.node} Default=YES MaxTime=INFINITE State=UP
 
 def workers(plan):
     """Process numbers of the workers of a plan."""
-    found = []
+    numbers = []
     for entry in Path("/proc").iterdir():
         if entry.name.isdigit():
             try:
@@ -147,8 +147,8 @@ def workers(plan):
             except OSError:
                 continue
             if len(words) > 2 and words[1] == b"work" and words[2] == str(plan).encode():
-                found.append(int(entry.name))
-    return found
+                numbers.append(int(entry.name))
+    return numbers
 
 
 def states(program, folder, plan):
@@ -162,7 +162,7 @@ def states(program, folder, plan):
 
 
 def disturb(slurm, plan, what, chance):
-    """One disturbance. Whether it found something to disturb."""
+    """Disturbs the sweep once. True if there was something to disturb."""
     if what == "kill":
         if victims := workers(plan):
             os.kill(chance.choice(victims), signal.SIGKILL)
@@ -173,14 +173,14 @@ def disturb(slurm, plan, what, chance):
             return True
     elif what == "node" and slurm.running():
         slurm.ask("scontrol", "update", f"nodename={slurm.node}", "state=down", "reason=test")
-        slurm.wait(lambda: not slurm.running(), "the node's tasks go on while it is down")
+        slurm.wait(lambda: not slurm.running(), "the tasks of the node continue while it is down")
         slurm.ask("scontrol", "update", f"nodename={slurm.node}", "state=resume")
         return True
     return False
 
 
 def computed_by_workers(plan):
-    """{run: how often a worker says that it computed it}"""
+    """{run: how often workers report that they computed it}"""
     count = {}
     for log in Path(str(plan)[:-5] + ".logs").glob("*.log"):
         for name in re.findall(r"^(?:bendlab: )?(.*): complete in ", log.read_text(), re.M):
@@ -189,14 +189,14 @@ def computed_by_workers(plan):
 
 
 def long_run(program, folder):
-    """LONG, as long as takes LONG_S on this machine."""
+    """LONG with a duration that takes LONG_S on this machine."""
     write_config(folder, "probe", **LONG)
     planned = json.loads(run(program, "plan", "probe.json", "--json", folder=folder).stdout)
     return {**LONG, "duration": round(LONG["duration"] * LONG_S / planned["needs"]["cpu_s"], 1)}
 
 
 def sweep(program, folder, slurm, name, settings, disturbances, *options):
-    """Submits a sweep and disturbs it. Returns what is wrong, and what was done to it."""
+    """Submits a sweep and disturbs it. Returns the problems and the disturbances."""
     write_config(folder, name, **settings)
     submit = lambda: run(program, "submit", f"{name}.json", "--out", "cluster", "--tasks", "6", *options,
                          folder=folder, env=slurm.environment)
@@ -211,25 +211,25 @@ def sweep(program, folder, slurm, name, settings, disturbances, *options):
         time.sleep(chance.uniform(0.5, 2))
         if disturb(slurm, plan, what, chance):
             done.append(what)
-    for _ in range(3):  # Slurm does not run killed tasks again: submitting again does what is left
+    for _ in range(3):  # Slurm does not repeat killed tasks; submitting again computes the remaining runs
         slurm.wait(lambda: not slurm.tasks(), "the tasks do not end", 600)
         if set(states(program, folder, plan)) <= {"complete"}:
             break
         restarts += 1
         submit()
-    found = states(program, folder, plan)
-    wrong = [] if set(found) == {"complete"} else [f"{name}: states at the end: {found}"]
-    often = {each: times for each, times in computed_by_workers(plan).items() if times != 1}
-    wrong += [f"{name}: {each} was computed {times} times" for each, times in often.items()]
+    final = states(program, folder, plan)
+    wrong = [] if set(final) == {"complete"} else [f"{name}: states at the end: {final}"]
+    repeated = {computed: times for computed, times in computed_by_workers(plan).items() if times != 1}
+    wrong += [f"{name}: {computed} was computed {times} times" for computed, times in repeated.items()]
     run(program, "run", f"{name}.json", "--out", "alone", folder=folder)
     for file in run_files(folder / "alone" / name):
         other = folder / "cluster" / file.relative_to(folder / "alone")
         wrong += [f"{name}: {file.parent.name}: {what}" for what in differences(file, other)]
     went_on = sum(map(times_gone_on, run_files(folder / "cluster" / name)))
     if "--time" in options and not went_on:
-        wrong.append(f"{name}: no time limit struck inside a run, so that none went on")
+        wrong.append(f"{name}: no time limit struck inside a run, so no run continued")
     requeues = sum(log.read_text().count("bendlab: stopped") for log in plan.parent.glob("**/*.log"))
-    print(f"{name}: {found}, disturbed by {done}, submitted again {restarts} times, stopped by signals in "
+    print(f"{name}: {final}, disturbed by {done}, submitted again {restarts} times, stopped by signals in "
           f"{requeues} tasks, went on {went_on} times, {len(wrong)} wrong", flush=True)
     return wrong
 

@@ -1,6 +1,6 @@
-"""Stops the program while it reads, checks, plans and computes: it ends soon.
+"""Stops the program while it reads, checks, plans and computes. It must end soon.
 
-    stops.py PROGRAM [STOPS]      exit 1 if a process is deaf to SIGINT or SIGTERM for more than 10 s
+    stops.py PROGRAM [STOPS]      exit 1 if a process ignores SIGINT or SIGTERM for more than 10 s
 """
 import random
 import signal
@@ -17,7 +17,7 @@ PATIENCE = 10  # s
 
 def main(program, stops=24, seed=1):
     chance = random.Random(seed)
-    deaf = stopped = 0
+    ignored = stopped = 0
     slowest = 0.0
     with tempfile.TemporaryDirectory() as place:
         folder = Path(place)
@@ -39,13 +39,13 @@ def main(program, stops=24, seed=1):
                 slowest = max(slowest, time.monotonic() - sent)
                 stopped += process.returncode in (130, 143, -signal.SIGINT, -signal.SIGTERM)
             except subprocess.TimeoutExpired:
-                deaf += 1
-                print(f"deaf: {' '.join(command)}", flush=True)
+                ignored += 1
+                print(f"ignored the signal: {' '.join(command)}", flush=True)
                 process.kill()
                 process.communicate()
     print(f"{stops} signals: {stopped} stopped a process, the slowest within {slowest:.1f} s, "
-          f"{deaf} were not heard")
-    return 1 if deaf or not stopped else 0
+          f"{ignored} were ignored")
+    return 1 if ignored or not stopped else 0
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
-"""Configs, plans, run files and names of files by somebody who means no good: no control character and none
-that turns the direction of text reaches the terminal, and JSON stays JSON.
+"""Configs, plans, run files and file names with malicious texts. No control character, and no character that
+reverses the direction of text, may reach the terminal, and JSON must stay valid.
 
-    texts.py PROGRAM      exit 1 if one does
+    texts.py PROGRAM      exit 1 if such a character is printed, or JSON is invalid
 """
 import json
 import re
@@ -10,20 +10,20 @@ import sys
 import tempfile
 from pathlib import Path
 
-from program import fresh, run, run_files, write_config  # first: it knows where the scripts are
+from program import fresh, run, run_files, write_config  # first: it adds the scripts to the path
 
 import h5py
 import numpy as np
 from bendlab.results.checksum import LENGTH, NAME, checksum
 from bendlab.results.facts import Facts
 
-# Clears the screen; sets the window's title; the same in C1; turns what follows around; rings; deletes.
+# Clears the screen; sets the window's title; the same in C1; reverses the following text; rings; deletes.
 EVIL = "\x1b[2J\x1b]0;x\x07\x9b2J\x9d0;x\x9c\u202eabc\u2066\u200f\u2028\x7f\r\b"
 FORBIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
 
 
 def evil_copy(file, to):
-    """A run file, whole by its checksum, whose texts are evil; beside it one with a text that is no UTF-8."""
+    """Copies a run file twice: once with evil texts, once with invalid UTF-8. Both checksums are valid."""
     data = file.read_bytes()[:-LENGTH]
     with h5py.File(file) as run_file:
         facts = Facts(run_file).json
@@ -43,7 +43,7 @@ def evil_copy(file, to):
 
 
 def places(program, folder):
-    """Argument lists whose output somebody else decides."""
+    """Argument lists of commands that print texts from files."""
     write_config(folder, "good", mesh={"cells": 3}, duration=0.1)
     run(program, "run", "good.json", folder=folder)
     file, = run_files(folder / "results")
@@ -102,12 +102,12 @@ def main(program):
             tried += 1
             done = run(program, *arguments, folder=folder, errors="surrogateescape")
             output = done.stdout + done.stderr
-            found = FORBIDDEN.search(output) or re.search("[\udc80-\udcff]", output)
-            shown = " ".join(str(each) for each in arguments).replace(EVIL, "EVIL").replace(str(folder), ".")
-            if found or done.returncode < 0:
+            match = FORBIDDEN.search(output) or re.search("[\udc80-\udcff]", output)
+            command = " ".join(map(str, arguments)).replace(EVIL, "EVIL").replace(str(folder), ".")
+            if match or done.returncode < 0:
                 wrong += 1
-                at = found.start() if found else 0
-                print(f"{shown}: exit code {done.returncode}, prints {output[max(0, at - 30):at + 30]!r}",
+                at = match.start() if match else 0
+                print(f"{command}: exit code {done.returncode}, prints {output[max(0, at - 30):at + 30]!r}",
                       flush=True)
             try:
                 lines = [json.loads(line) for line in done.stdout.splitlines() if "--json" in arguments]
@@ -115,8 +115,8 @@ def main(program):
                     raise ValueError(f"the name is {lines[0]['name']!r}")
             except (ValueError, IndexError) as error:
                 wrong += 1
-                print(f"{shown}: {error}", flush=True)
-    print(f"{tried} commands, {wrong} of them with output that is not as it should be")
+                print(f"{command}: {error}", flush=True)
+    print(f"{tried} commands, {wrong} of them with wrong output")
     return 1 if wrong else 0
 
 

@@ -1,4 +1,4 @@
-"""Workers of one plan on this machine, some of which are killed: every run is computed once, to its end.
+"""Workers of one plan on this machine, some of which are killed. Every run must be computed once, to its end.
 
     workers.py PROGRAM [ROUNDS]      exit 1 if a round fails
 """
@@ -15,7 +15,7 @@ RUNS = 12
 
 
 def wrong_in(program, folder, number):
-    """What is wrong after one round, "" for nothing."""
+    """The problem after a round, or "" if there is none."""
     chance = random.Random(number)
     fresh(folder / "out")
     run(program, "plan", "sweep.json", "--write", "plan.json", "--out", "out", folder=folder)
@@ -24,14 +24,14 @@ def wrong_in(program, folder, number):
     time.sleep(chance.uniform(0.05, 1))
     children[chance.randrange(WORKERS)].kill()
     texts = [child.communicate()[1] for child in children]
-    last = run(program, "work", "plan.json", folder=folder)  # if all but the killed one were done before
+    last = run(program, "work", "plan.json", folder=folder)  # if all other workers had ended
     lines = "\n".join([*texts, last.stderr]).splitlines()
     computed = [line.split(": complete in")[0] for line in lines if ": complete in" in line]
     states = [json.loads(line)["state"] for line in
               run(program, "status", "plan.json", "--json", folder=folder).stdout.splitlines()]
     if states != ["complete"] * RUNS:
         return f"states {states}: {lines}"
-    # A killed worker may have finished its last file without a word.
+    # A killed worker may have finished its last file without printing this.
     if len(computed) != len(set(computed)) or not RUNS - 1 <= len(computed) <= RUNS:
         return f"{RUNS} runs were computed {len(computed)} times: {sorted(computed)}"
     wrong = [f"{file.parent.name}: {what}" for file in run_files(folder / "whole")

@@ -7,7 +7,8 @@
 namespace bendlab {
 namespace {
 
-constexpr std::size_t most_samples = 6, fine = 24;  // samples of a line; `fine` if a part of it may be held
+// Samples of a line; `fine` if a part of the line may be held.
+constexpr std::size_t most_samples = 6, fine = 24;
 
 constexpr std::array<bool, fine> every_place = [] {
   std::array<bool, fine> list{};
@@ -93,9 +94,9 @@ Span PairSpans::operator()(int a, int b) const {
       add(span.shares, a, moment / 2), add(span.shares, b, moment / 2);
   }
   for (Share& share : span.shares) share.part /= static_cast<float>(span.seen);
-  double all = 0;
-  for (std::size_t s = 0; s < samples; ++s) all += moment_at(s, samples, every_place);
-  span.seen /= all;
+  double unheld = 0;
+  for (std::size_t s = 0; s < samples; ++s) unheld += moment_at(s, samples, every_place);
+  span.seen /= unheld;
   return span;
 }
 

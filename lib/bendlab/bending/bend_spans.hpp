@@ -1,4 +1,5 @@
-// Where on the sheet a constraint resists bending, and how much a clamp lessens the curvature that it sees.
+// Where on the sheet a constraint resists bending, and how much a clamp reduces the curvature at the
+// constraint.
 #pragma once
 
 #include <array>
@@ -13,26 +14,26 @@ namespace bendlab {
 /// #T: whether all corners of a triangle are pinned. Such a triangle is held: it does not bend.
 std::vector<char> held_triangles(const RestMesh& rest, const Pins& pins);
 
-/// Which vertices a constraint's energy belongs to, and which share of its angle or shortening is left where
-/// held triangles do not bend.
+/// How the energy of a constraint is shared among vertices. Held triangles do not bend, so a constraint that
+/// reaches into them keeps only the share `seen` of its angle or shortening.
 struct Span {
   Shares shares;
   double seen = 1;
 };
 
-/// The span of a hinge: the third of each triangle that is nearest to the edge. If one triangle is held, half
-/// of the angle is left.
+/// The span of a hinge. Its energy belongs to the third of each triangle that is nearest to the edge. If one
+/// triangle is held, half of the angle is left.
 Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins);
 
-/// The spans of pairs: the line between the two, from s = 0 to 1, bends by κ(s) and shortens by δ,
+/// The spans of vertex pairs. The line between two vertices, s from 0 to 1, bends by κ(s) and shortens by δ:
 ///
 ///     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
 ///
-/// A point's share of the energy is that of the moment there: ∝ s (1 - s) on a line that bends evenly. A held
-/// part does not bend.
+/// A point's share of the energy is its share of the moment ∂δ/∂κ(s), which is ∝ s (1 - s) on a line that
+/// bends evenly. A held part of the line does not bend.
 class PairSpans {
  public:
-  /// `held` is held_triangles(), `plane` is UnitBend's; all arguments are kept by reference.
+  /// `held` is from held_triangles(), `plane` from UnitBend::plane(). All arguments are kept by reference.
   PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<char>& held,
             std::span<const Vector2> plane);
 

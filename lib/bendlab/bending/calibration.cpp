@@ -15,7 +15,8 @@
 namespace bendlab {
 namespace {
 
-// Edges. That is 5000 vertices: D is within 1 % of an irregular sheet's and takes 0.1 s at most.
+// Edges around the innermost vertex, which are 5000 vertices. D is then within 1 % of the D of a whole
+// irregular sheet, and takes 0.1 s at most.
 constexpr int response_patch = 40;
 
 double square(double x) {
@@ -42,7 +43,7 @@ constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
   return ((folds<Kinds> || shortens<Kinds>)&&...);
 }
 static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
-              "a new kind has to be calibrated too: say how it resists");
+              "a new kind has to be calibrated too: state in folds or shortens how it resists");
 
 class Calibration {
  public:
@@ -75,12 +76,12 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
-  // Elements of the model's own keep their weights: they are those of a rigidity of 1 N m.
-  void state(OwnElements& own) {
+  // A model states the softness of its own elements for a rigidity of 1 N m, so they need no fit.
+  void scale_own_elements(OwnElements& own) {
     if (own.size() == 0) return;
     const std::vector<Vector2> plane = plane_coordinates(rest_);
-    if (!plane.empty()) tell_share(own, plane);
-    for (double& each : own.softness) each /= rigidity();
+    if (!plane.empty()) add_share_facts(own, plane);
+    for (double& softness : own.softness) softness /= rigidity();
   }
 
   void meet() {
@@ -88,11 +89,10 @@ class Calibration {
     if (!linear_.empty()) meet_linear(area);
     if (!quartic_.empty()) meet(quartic_, area, quartic() / 4, 4, "quartic");
     if (membrane_)
-      constraints_.facts.push_back(
-          {"membrane_quartic", *membrane_,
-           "C of the bent sheet's membrane per N/m of its stiffness, because this mesh cannot bend without "
-           "strain",
-           "m⁴"});
+      constraints_.facts.push_back({"membrane_quartic", *membrane_,
+                                    "C that the membrane itself has per N/m of its stiffness, because this "
+                                    "mesh cannot bend without strain",
+                                    "m⁴"});
   }
 
  private:
@@ -105,8 +105,8 @@ class Calibration {
     if (target_.flexural_rigidity && target_.at_curvature)
       return *target_.flexural_rigidity / square(*target_.at_curvature);
     throw std::invalid_argument(
-        "springs at rest have a moment C κ³: give quartic_coefficient (C in N m³), or flexural_rigidity "
-        "(in N m) together with at_curvature (in 1/m), the curvature at which it holds");
+        "springs at rest have a moment C κ³: give quartic_coefficient (C in N m³), or flexural_rigidity (in "
+        "N m) together with at_curvature (in 1/m), the curvature at which the flexural_rigidity holds");
   }
 
   void meet(StiffnessFit& fit, std::vector<double> energy, double per_area, int power,
@@ -121,8 +121,8 @@ class Calibration {
     if (!hinges_only) {
       if (target_.deflection != Deflection::large)
         throw std::invalid_argument(
-            "only hinges in a flat rest shape can have their flexural_rigidity at another deflection than "
-            "large: set \"deflection\" to \"large\", or choose a model made of hinges and a flat mesh");
+            "only hinges in a flat rest shape can have their flexural_rigidity at a deflection other than "
+            "\"large\": set \"deflection\" to \"large\", or choose a model made of hinges and a flat mesh");
       return meet(linear_, std::move(energy), rigidity() / 2, 1, "linear");
     }
     for (double& of_vertex : energy) of_vertex *= rigidity() / 2;
@@ -137,11 +137,11 @@ class Calibration {
       for (double& of_vertex : energy) of_vertex *= scale;
       facts = share_facts(*answer, scale);
     } else if (target_.deflection != Deflection::large) {
-      throw std::invalid_argument(fmt::format(
-          "the response to small deflections cannot be measured on this mesh: it needs vertices {} edges "
-          "away from its boundary and its pins, and hinges everywhere there; use more cells, or "
-          "\"deflection\": \"large\"",
-          SheetResponse::least_depth));
+      throw std::invalid_argument(
+          fmt::format("the response to small deflections cannot be measured on this mesh: the mesh needs "
+                      "vertices that are {} edges away from its boundary and its pins, and hinges everywhere "
+                      "around these vertices; use more cells, or \"deflection\": \"large\"",
+                      SheetResponse::least_depth));
     }
     const double usual = rigidity() / 2 / rest_.mean_edge_length();
     for (BendingFact& fact : linear_.finish(energy, usual, "linear"))
@@ -149,8 +149,8 @@ class Calibration {
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
   }
 
-  // Bends each element about its middle, so little that energies are quadratic.
-  void tell_share(const OwnElements& own, const std::vector<Vector2>& plane) {
+  // Bends each element about its middle, but so little that energies are quadratic.
+  void add_share_facts(const OwnElements& own, const std::vector<Vector2>& plane) {
     const double curvature = 1e-4 / rest_.mean_edge_length();
     double area = 0;
     for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
@@ -173,15 +173,18 @@ class Calibration {
     constraints_.facts.push_back({"large_deflection", mean(shares),
                                   "share of the stated B that the sheet has if its membrane holds it to a "
                                   "cylinder, mean over directions"});
-    constraints_.facts.push_back({"large_deflection_least", least, "in the direction where it is least"});
-    constraints_.facts.push_back({"large_deflection_most", most, "in the direction where it is most"});
+    constraints_.facts.push_back(
+        {"large_deflection_least", least, "smallest value of large_deflection over directions"});
+    constraints_.facts.push_back(
+        {"large_deflection_most", most, "largest value of large_deflection over directions"});
   }
 
-  // Brings the relaxed sheet's rigidity nearer to the cylinder's. Hinges that fold less in the relaxed sheet
-  // than in the cylinder are those by which it relaxes: they get softer, the others stiffer, along the
-  // gradient of the energy that relaxing saves (convex in the stiffnesses). refit() then spreads what the
-  // cylinder lacks. Measured on irregular sheets: after 8 rounds half of the difference is left, and more
-  // rounds change nothing. A grid would come to depend more on the direction: its hinges stay as they were.
+  // Brings the rigidity of the relaxed sheet nearer to that of the cylinder. The sheet relaxes by the hinges
+  // that fold less in the relaxed sheet than in the cylinder. These hinges get softer and all other hinges
+  // stiffer, along the gradient of the energy that relaxing saves (convex in the stiffnesses). refit() then
+  // restores the energy that the cylinder lacks. Measured on irregular sheets: after 8 rounds half of the
+  // difference is left, and more rounds change nothing. On a grid the rigidity would come to depend more on
+  // the direction, so the hinges of a grid keep their factors.
   void agree(const SheetResponse& response, const std::vector<double>& energy) {
     constexpr int rounds = 8, refits = 2;
     const std::vector<double> before(linear_.factors().begin(), linear_.factors().end());
@@ -203,12 +206,12 @@ class Calibration {
     if (!answer || !(spread(*answer) < spread_before)) std::ranges::copy(before, linear_.factors().begin());
   }
 
-  // The largest rigidity over the smallest, of both deflections in all directions.
+  // The largest rigidity divided by the smallest, over both deflections and all directions.
   static double spread(const SheetResponse::Answer& answer) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Vector2& d : all_bending_directions())
-      for (const Rigidity& each : {answer.unrelaxed, answer.relaxed}) {
-        const double rigidity = cylinder_rigidity(each, d);
+      for (const Rigidity& sheet : {answer.unrelaxed, answer.relaxed}) {
+        const double rigidity = cylinder_rigidity(sheet, d);
         least = std::min(least, rigidity), most = std::max(most, rigidity);
       }
     return most / least;
@@ -241,8 +244,8 @@ class Calibration {
         sum += share / directions, least = std::min(least, share), most = std::max(most, share);
       }
       facts.push_back({name, sum, meaning});
-      facts.push_back({name + "_least", least, "in the direction where it is least"});
-      facts.push_back({name + "_most", most, "in the direction where it is most"});
+      facts.push_back({name + "_least", least, "smallest value of " + name + " over directions"});
+      facts.push_back({name + "_most", most, "largest value of " + name + " over directions"});
     };
     add(
         "large_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.unrelaxed, d); },
@@ -254,18 +257,17 @@ class Calibration {
         "does not matter, mean over directions");
     add(
         "small_strip", [&](const Vector2& d) { return strip_rigidity(answer.relaxed, d); },
-        "the same of a strip so narrow and so little bent that it may curve across as well (Poisson's "
-        "ratio)");
-    facts.push_back(
-        {"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
-         "over the square root of the membrane's stiffness in N/m: about the curvature in 1/m above which it "
-         "holds the sheet to a cylinder",
-         "√(N/m)/m"});
+        "share of the stated B that a strip has if it is so narrow and so little bent that it may curve "
+        "across as well (Poisson's ratio), mean over directions");
+    facts.push_back({"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
+                     "divided by the square root of the membrane's stiffness in N/m, this is about the "
+                     "curvature in 1/m above which the membrane holds the sheet to a cylinder",
+                     "√(N/m)/m"});
     return facts;
   }
 
-  // In the sheet's plane. On a rest shape that is not flat each hinge has a plane of its own; these share no
-  // axes, so its energy is averaged over directions.
+  // A hinge in a flat rest shape lies in the sheet's plane. In any other rest shape each hinge is unfolded
+  // into a plane of its own. Such planes share no axes, so the hinge's energy is averaged over directions.
   template <class Energy>
   void add_hinge(StiffnessFit& fit, double& softness, const std::array<int, 4>& vertices,
                  const Energy& energy) {
@@ -301,8 +303,8 @@ class Calibration {
       const double edge = list.rest[c][5], sine = list.rest[c][4] / (2 * edge);
       if (!norm && sine > 0)
         throw std::invalid_argument(
-            "the energy of Bergou as a constraint is quartic in a flat rest shape only: set the model's "
-            "\"constraint\" to \"norm\", or state the stiffness by k or compliance");
+            "the energy of Bergou as a constraint is quartic in the curvature only if the rest shape is "
+            "flat: set the model's \"constraint\" to \"norm\", or state the stiffness by k or compliance");
       // |Kx| = 2 edge sin(θ/2).
       const double per_angle = edge * std::sqrt(std::max(0.0, 1 - sine * sine));
       add_hinge(norm ? linear_ : quartic_, list.softness[c], list.vertices[c], [&](double angle) {
@@ -311,14 +313,14 @@ class Calibration {
     }
   }
 
-  // `energy` is a function of the shortening. A spring along an edge is part of the membrane, and one between
-  // pins resists nothing: both are idle.
+  // `energy` is a function of the shortening. A spring along an edge is part of the membrane, and a spring
+  // between pins resists nothing: both have no bending energy.
   template <class Energy>
   void add_pair(StiffnessFit& fit, double& softness, const std::array<int, 2>& pair, const UnitBend& bend,
                 const PairSpans& spans, const Energy& energy) {
     const Span span = spans(pair[0], pair[1]);
     if (span.shares.empty() || std::ranges::binary_search(rest_.one_ring()[pair[0]], pair[1]))
-      return fit.add_idle(softness);
+      return fit.add_without_energy(softness);
     const QuarticForm shorter = bend.shortening(pair[0], pair[1]);
     fit.add(softness,
             in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(shorter, d)); }),
@@ -340,8 +342,8 @@ class Calibration {
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
       const double length = (rest_.position(a) - rest_.position(b)).norm(), push = list.rest(c) - length;
-      // The energy is ½ (push + δ)². Its part that is linear in δ is quadratic in κ: a spring that pushes has
-      // a moment linear in κ.
+      // The energy is ½ (push + δ)². Its part that is linear in δ is quadratic in κ, so a spring that pushes
+      // has a moment linear in κ.
       if (linear && push > at_rest * length)
         add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return push * std::max(0.0, shorter) / list.softness[c]; });
@@ -364,8 +366,8 @@ class Calibration {
   const CalibrationTarget& target_;
   std::vector<Vector2> plane_;
   StiffnessFit linear_, quartic_;
-  std::vector<HeightStencil> stencils_;  // of those in linear_ that are hinges in a flat rest shape
-  std::vector<QuadraticForm> folds_;     // their angles over κ
+  std::vector<HeightStencil> stencils_;  // of the hinges in linear_, if the rest shape is flat
+  std::vector<QuadraticForm> folds_;     // fold angles over κ of these hinges
   std::optional<double> membrane_;
 };
 
@@ -375,7 +377,7 @@ void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins
                const CalibrationTarget& target) {
   Calibration calibration(constraints, rest, pins, target);
   calibration.meet();
-  calibration.state(constraints.own);
+  calibration.scale_own_elements(constraints.own);
 }
 
 }  // namespace bendlab

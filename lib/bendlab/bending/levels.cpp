@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-constexpr double highest_level = 1e5;  // more edges than any mesh is wide
+constexpr double highest_level = 1e5;  // no mesh is so many edges wide
 
 double rounded(double m, Rounding rounding) {
   switch (rounding) {
@@ -49,8 +49,8 @@ std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const
 
 std::vector<BendingFact> facts_of(const Levels& levels) {
   return {{"m_unrounded", levels.m_unrounded, "Ω / e_avg · 0.1 + 1, or radius / e_avg"},
-          {"m", static_cast<double>(levels.m), "level of free vertices"},
-          {"n", static_cast<double>(levels.n), "level of pinned vertices"}};
+          {"m", static_cast<double>(levels.m), "LOD level of free vertices"},
+          {"n", static_cast<double>(levels.n), "LOD level of pinned vertices"}};
 }
 
 }  // namespace bendlab

@@ -30,17 +30,17 @@ const BendingKind* find_bending_model(std::string_view name) {
 std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingConstraints& constraints) {
   if (model.softness_needs_compliance) return std::nullopt;
   double least = 1, most = 1;
-  const auto look_at = [&](const std::vector<double>& softness) {
-    for (const double each : softness) least = std::min(least, each), most = std::max(most, each);
+  const auto include = [&](const std::vector<double>& softness) {
+    for (const double value : softness) least = std::min(least, value), most = std::max(most, value);
   };
-  look_at(constraints.distance.softness);
-  for_each_kind(constraints.elements, [&](const auto& list) { look_at(list.softness); });
-  look_at(constraints.own.softness);
+  include(constraints.distance.softness);
+  for_each_kind(constraints.elements, [&](const auto& list) { include(list.softness); });
+  include(constraints.own.softness);
   if (least == 1 && most == 1) return std::nullopt;
   return fmt::format(
-      "'{}' makes its constraints {:.3g} to {:.3g} times as soft as the scene's compliance, and k would "
-      "correct all by the same share: state \"compliance\" instead, or a flexural_rigidity; if the model is "
-      "meant to be the same with k, it says .softness_needs_compliance = true",
+      "the constraints of '{}' are {:.3g} to {:.3g} times as soft as the scene's compliance, but k would "
+      "correct all of them by the same share: state \"compliance\" or a flexural_rigidity instead of k. If "
+      "the model shall ignore softness with k, set .softness_needs_compliance = true in the model",
       model.name, least, most);
 }
 

@@ -1,5 +1,5 @@
-// Every bending model as a value: its settings, with their defaults. Each one's file, models/<name>.cpp, says
-// what its settings mean, and what constraints it makes. A new model is a struct and its name in the list
+// Every bending model as a struct of its settings with their defaults. The file models/<name>.cpp of a model
+// says what the settings mean and builds the constraints. A new model is a struct and its name in the list
 // below, one file, one test and one config.
 #pragma once
 
@@ -43,7 +43,7 @@ struct SparseLod : ThinnedRingSettings {
 };
 
 struct Prestressed : ThinnedRingSettings {
-  double excess = 0.02;  ///< of the distance that a spring spans
+  double excess = 0.02;  ///< relative to the distance that a spring spans
   static const BendingKind kind;
 };
 
@@ -73,7 +73,7 @@ struct Isometric {
   static const BendingKind kind;
 };
 
-/// In the order in which they are listed.
+/// All models, in the order in which the program lists them.
 inline constexpr auto listed_bending_models =
     listed_kinds<BendingKind, None, Crossover, KRing, Adaptive, Lod, SparseLod, Prestressed, Dihedral,
                  Bridson, DiscreteShells, ChoiKo, Isometric>;

@@ -10,13 +10,13 @@
 namespace bendlab {
 namespace {
 
-// In m / h². Measured on sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps, excess 0.1 and 1:
-// growth over T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to 1.2 on
-// alternating diagonals, 0.6 with both diagonals; one substep of 10 iterations holds up to 1.4 times as much
-// as 10 substeps of one.
+// Stiffness of a membrane that is projected once per substep, in m / h². Measured on sheets of 16 cells with
+// B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps and an excess of 0.1 and 1: growth over T h² / m is 0.8 to 0.9
+// on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to 1.2 on alternating diagonals, 0.6 with both
+// diagonals; one substep of 10 iterations holds up to 1.4 times as much as 10 substeps of one iteration.
 constexpr double membrane_of_one_projection = 1;
 
-constexpr double at_rest = 1e-6;  // of its length, as in calibration.cpp
+constexpr double at_rest = 1e-6;  // relative to a spring's length, as in calibration.cpp
 
 double bounded(double excess, double growth) {
   return 1 / (1 / excess + 1 / growth);
@@ -39,10 +39,10 @@ double push_tension(const DistanceConstraints& springs, const RestMesh& rest, do
 std::optional<std::string> push_on_membrane_warning(double tension, double compliance) {
   if (!(tension * compliance > tolerated_growth)) return std::nullopt;
   return fmt::format(
-      "the springs push with {:.3g} N/m, and the stated membrane of {:.3g} N/m gives way: the sheet grows by "
-      "up to {:.0f} %, or by the springs' excess if that is less. A membrane compliance of {:.2g} m/N holds "
-      "it to {:.0f} %; so do longer springs, whose push falls as the square of their length "
-      "(/bending/prestressed/radius)",
+      "the springs push with {:.3g} N/m, and the stated membrane (stiffness {:.3g} N/m) gives way: the sheet "
+      "grows by up to {:.0f} %, or by the springs' excess if the excess is less. A membrane compliance of "
+      "{:.2g} m/N limits the growth to {:.0f} %. Longer springs (/bending/prestressed/radius) help too, "
+      "because the push falls as the square of their length",
       tension, 1 / compliance, 100 * tension * compliance, 0.9 * tolerated_growth / tension,
       100 * tolerated_growth);
 }
@@ -59,11 +59,11 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
     bound.stated = std::max(bound.stated, push / length[s]);
     bound.length = std::max(bound.length, length[s]);
   }
-  const double all = std::accumulate(mass.begin(), mass.end(), 0.0);
+  const double total_mass = std::accumulate(mass.begin(), mass.end(), 0.0);
   bound.tension = push_tension(springs, rest, 1);
-  if (!(bound.tension > 0 && all > 0)) return std::nullopt;
+  if (!(bound.tension > 0 && total_mass > 0)) return std::nullopt;
   bound.growth = bound.tension * substep * substep /
-                 (membrane_of_one_projection * projections * all / static_cast<double>(mass.size()));
+                 (membrane_of_one_projection * projections * total_mass / static_cast<double>(mass.size()));
   bound.taken = bound.stated, bound.expected = bounded(bound.stated, bound.growth);
   if (bound.expected <= tolerated_growth) return bound;
   // Excess and growth are both above tolerated_growth here, or `expected` would be below it.
@@ -80,22 +80,22 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
 }
 
 std::vector<BendingFact> facts_of(const PushBound& bound) {
-  return {
-      {"push_tension", bound.tension, "tension with which the springs stretch the flat sheet", "N/m"},
-      {"push_growth", bound.expected,
-       "about the share by which the sheet would grow with the stated excess, because the solver cannot hold "
-       "it"},
-      {"excess_taken", bound.taken,
-       "of the springs, lower than the stated one if that makes the sheet grow too much"}};
+  return {{"push_tension", bound.tension, "tension with which the springs stretch the flat sheet", "N/m"},
+          {"push_growth", bound.expected,
+           "estimated relative growth of the sheet with the stated excess, because the solver cannot hold "
+           "the push"},
+          {"excess_taken", bound.taken,
+           "excess that the springs have; lower than the stated excess if the stated one would make the "
+           "sheet grow too much"}};
 }
 
 std::optional<std::string> push_warning(const PushBound& bound) {
   if (bound.taken == bound.stated) return std::nullopt;
   return fmt::format(
-      "the springs push with {:.3g} N/m, which these projections cannot hold: with the excess {:.3g} the "
-      "sheet would grow by about {:.0f} %. Taken instead is {:.3g}, with which it grows by about {:.0f} % "
-      "and the moment is linear up to {:.3g}/m instead of {:.3g}/m; {} times as many substeps hold the "
-      "stated excess",
+      "the springs push with {:.3g} N/m, which the stated substeps and iterations cannot hold: with the "
+      "stated excess of {:.3g} the sheet would grow by about {:.0f} %. The excess is lowered to {:.3g}: the "
+      "sheet then grows by about {:.0f} %, and the moment is linear up to a curvature of {:.3g}/m instead of "
+      "{:.3g}/m. With {} times as many substeps the solver holds the stated excess",
       bound.tension, bound.stated, 100 * bound.expected, bound.taken, 100 * tolerated_growth,
       std::sqrt(48 * bound.taken) / bound.length, std::sqrt(48 * bound.stated) / bound.length,
       bound.substeps_factor);

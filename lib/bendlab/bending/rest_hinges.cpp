@@ -8,7 +8,8 @@
 namespace bendlab {
 namespace {
 
-// The corners, ascending, of degenerate triangles: they have no angle to their neighbours.
+// The corners of degenerate triangles, each triple in ascending order. These triangles have no angle to their
+// neighbours.
 std::vector<std::array<int, 3>> degenerate_corners(const RestMesh& rest) {
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
   std::vector<std::array<int, 3>> corners;

@@ -1,4 +1,4 @@
-// Hinges in their rest state: what the models of the literature start from.
+// Hinges in their rest state, from which the models of the literature build their constraints.
 #pragma once
 
 #include <functional>
@@ -10,17 +10,17 @@ namespace bendlab {
 
 struct RestHinge {
   std::array<int, 4> vertices;      ///< p0, p1 of the shared edge, then the vertices opposite it
-  std::array<Vector3, 4> position;  ///< of them, m
+  std::array<Vector3, 4> position;  ///< of these vertices, m
   double angle;                     ///< θ0, 0 flat
   double edge;                      ///< |p1 - p0|, m
-  double area;                      ///< of both triangles, m²
+  double area;                      ///< of both triangles together, m²
 };
 
-/// One per interior edge that has a free vertex, in the order of the edges. A hinge on a degenerate triangle
-/// (see bad_triangles.hpp) has no angle and is left out.
+/// One hinge per interior edge, in the order of the edges, if at least one of the hinge's vertices is free. A
+/// hinge on a degenerate triangle (see bad_triangles.hpp) has no angle and is left out.
 std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins);
 
-/// Angle constraints on them; `softness(hinge)` as in ElementList.
+/// Angle constraints on the hinges. `softness(hinge)` is the softness of ElementList.
 ElementList<HingeAngle> angle_constraints(const std::vector<RestHinge>& hinges, HingeAngle::Law law,
                                           const std::function<double(const RestHinge&)>& softness);
 

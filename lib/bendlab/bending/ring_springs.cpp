@@ -60,7 +60,8 @@ class PathLengths {
   std::vector<int> visited_;
 };
 
-// The number of edges that is sure to reach `level` mean edge lengths far on this mesh.
+// The number of edges that span `level` mean edge lengths if all are as short as the shortest edge of the
+// mesh.
 int hops_within(const RestMesh& rest, int level) {
   double shortest = std::numeric_limits<double>::infinity();
   for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)
@@ -75,8 +76,8 @@ int euclidean_ring(const RestMesh& rest, int a, int b) {
                   static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
 }
 
-// About how many springs there will be, so that memory is reserved once: on a lattice ring r holds 6 r
-// vertices, and two vertices with the same level reach each other.
+// Estimated number of springs, so that memory is reserved once. On a lattice, ring r holds 6 r vertices, and
+// two vertices with the same level reach each other.
 std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rule) {
   std::vector<std::size_t> with_level;
   for (const int level : levels) {
@@ -86,11 +87,11 @@ std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rul
   }
   std::size_t expected = 0;
   for (std::size_t level = 1; level < with_level.size(); ++level) {
-    const std::size_t of_one = rule.fill == RingFill::last   ? 6 * level
-                               : rule.fill == RingFill::ends ? 6 * (level + 1)
-                                                             : 3 * level * (level + 1);
-    const bool usual = 2 * with_level[level] > levels.size();
-    expected += with_level[level] * (usual && !rule.shared_pairs_twice ? of_one / 2 : of_one);
+    const std::size_t per_vertex = rule.fill == RingFill::last   ? 6 * level
+                                   : rule.fill == RingFill::ends ? 6 * (level + 1)
+                                                                 : 3 * level * (level + 1);
+    const bool is_majority = 2 * with_level[level] > levels.size();
+    expected += with_level[level] * (is_majority && !rule.shared_pairs_twice ? per_vertex / 2 : per_vertex);
   }
   return std::min(expected, levels.size() * (levels.size() - 1));
 }

@@ -1,4 +1,4 @@
-// Springs from a vertex to the rings around it: what k_ring, adaptive and lod share.
+// Springs from a vertex to the rings around it, for the models k_ring, adaptive and lod.
 #pragma once
 
 #include <array>
@@ -39,15 +39,16 @@ struct RingSettings {
 
 struct RingRule {
   RingFill fill = RingFill::all;
-  /// Ring r holds the vertices at (r - 1, r] mean edge lengths, instead of those r edges away.
+  /// Ring r holds the vertices at a straight distance in (r - 1, r] mean edge lengths, instead of the
+  /// vertices r edges away.
   bool euclidean_rings = false;
   bool path_rest_length = false;    ///< along mesh edges (the shortest of the paths with the fewest edges)
   bool shared_pairs_twice = false;  ///< a pair reached from both ends gives two springs
-  bool keep_pinned_pairs = false;   ///< springs between two pinned vertices, which move nothing
+  bool keep_pinned_pairs = false;   ///< also join two pinned vertices, although this moves nothing
 };
 
-/// The springs of every vertex v to its rings as `rule` says, with level `levels[v]` (0: none). Ordered by
-/// vertex, then breadth-first.
+/// The springs from every vertex v to its rings, as `rule` says, with the LOD level `levels[v]` (0: no
+/// springs). Ordered by vertex, then breadth-first.
 DistanceConstraints ring_springs(const BendingInput& input, const std::vector<int>& levels,
                                  const RingRule& rule);
 
@@ -55,19 +56,22 @@ template <class Settings>
 inline constexpr std::array ring_rule_fields = {
     field<&Settings::distance, Settings>(
         {.name = "distance",
-         .meaning = "a vertex's ring: edges away (breadth-first), or straight distance in mean edge lengths",
+         .meaning = "how the rings around a vertex are counted: edges away (breadth-first), or straight "
+                    "distance in mean edge lengths",
          .choices = choices::ring_distances}),
     field<&Settings::rest_length, Settings>(
         {.name = "rest_length",
-         .meaning = "a spring's rest length: straight in the rest shape, or along mesh edges",
+         .meaning = "a spring's rest length: the straight distance in the rest shape, or the length of the "
+                    "path along mesh edges",
          .choices = choices::rest_lengths}),
     field<&Settings::shared_pairs, Settings>(
         {.name = "shared_pairs",
-         .meaning = "a pair reached from both ends gives one spring or two",
+         .meaning = "whether two vertices that reach each other get one spring or two",
          .choices = choices::shared_pairs}),
     field<&Settings::pinned_pairs, Settings>(
         {.name = "pinned_pairs",
-         .meaning = "springs between two pinned vertices, which cannot move anything",
+         .meaning =
+             "whether to drop or keep springs between two pinned vertices; such springs cannot move anything",
          .choices = choices::pinned_pairs}),
 };
 RingRule ring_rule(const RingSettings& settings, RingFill fill);

@@ -13,7 +13,7 @@
 namespace bendlab {
 namespace {
 
-using Heights = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of the three unit curvatures
+using Heights = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // #V by 3, for the three unit curvatures
 
 constexpr int held_depth = 1;  // two rows of vertices are held: they fix heights and slopes at the boundary
 
@@ -28,8 +28,8 @@ std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
   return depth;
 }
 
-// Where the sheet ends or is not free: ends of edges with one triangle, pins, corners of triangles without
-// area.
+// The vertices where the sheet ends or is not free: ends of edges that do not have two triangles, pins,
+// corners of triangles without area, and vertices without neighbours.
 std::vector<int> ends(const RestMesh& rest, const Pins& pins) {
   std::vector<char> end(pins.is_pinned);
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
@@ -61,8 +61,8 @@ Eigen::RowVector3d angle(const HeightStencil& stencil, const Heights& z) {
   return sum;
 }
 
-// Moves the unknown vertices to where the forces on them are zero. `unknown` (#V) numbers them; -1: held.
-// False if nothing resists the motion of some of them.
+// Moves the unknown vertices to where the forces on them are zero. `unknown` (#V) numbers these vertices; -1:
+// the vertex is held. Returns false if nothing resists the motion of a vertex.
 bool relax(std::span<const HeightStencil> stencils, std::span<const double> factor,
            const std::vector<int>& unknown, Eigen::Index unknowns, Heights& z) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -125,8 +125,8 @@ SheetResponse::SheetResponse(const RestMesh& rest, const Pins& pins, std::span<c
     for (int c = 0; c < 3; ++c)
       area_[static_cast<std::size_t>(rest.triangles()(t, c))] +=
           rest.areas()[static_cast<std::size_t>(t)] / 3;
-  // Falls to 0 before the held vertices, so that a repeating pattern counts by nearly whole cells, wherever
-  // the rim cuts it.
+  // The weight falls to 0 before the held vertices, so that nearly whole cells of a repeating pattern count,
+  // wherever the rim cuts the pattern.
   for (const int depth : depth_) {
     const double inside = depth < std::numeric_limits<int>::max() ? std::max(0, depth - held_depth - 1) : 0;
     window_.push_back(inside * inside);
@@ -165,7 +165,7 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
     answer.unrelaxed += weight * before.transpose() * before;
   }
   // The held rim changes the curvature inside a little. The quadratic surface that fits the relaxed sheet
-  // best gives the mean curvature there.
+  // best gives the mean curvature inside.
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 3> right = Eigen::Matrix<double, 6, 3>::Zero();
   double area = 0;

@@ -1,5 +1,5 @@
-// How a flat sheet responds if it is bent a little: it does not take the shape of the cylinder on which its
-// constraints are calibrated, but the shape near it that has the least energy.
+// How a flat sheet responds if it is bent a little. Its constraints are calibrated on a cylinder, but the
+// sheet does not take that shape: it takes the shape near the cylinder that has the least energy.
 //
 //     unrelaxed: z = ½ κ : (p p)     relaxed: vertices leave that surface, some upwards, some downwards
 //
@@ -7,10 +7,10 @@
 //                                      o   o               the energy falls
 //
 // Angles are linear in small heights z, so the energy is ½ zᵀ K z. The response is linear homogenisation:
-// vertices at the sheet's boundary and pins are held on the surface, the others minimise the energy, for each
-// of the three curvatures; energy per area and mean curvature are measured well inside. A membrane that does
-// not stretch forbids such a relaxation above a curvature of about 4 √(B / Y) / h² (Y: its stiffness in N/m,
-// h: the length of an edge).
+// for each of the three curvatures, vertices at the sheet's boundary and pins are held on the surface, and
+// all other vertices minimise the energy. Energy per area and mean curvature are measured well inside the
+// sheet. A membrane that does not stretch prevents this relaxation above a curvature of about 4 √(B / Y) / h²
+// (Y: its stiffness in N/m, h: the length of an edge).
 #pragma once
 
 #include <Eigen/Core>
@@ -31,11 +31,11 @@ struct HeightStencil {
   double stiffness;              ///< N m
 };
 
-/// N m: the symmetric D of the energy per area ½ κᵀ D κ, κ = (κxx, κyy, κxy) in coordinates of the sheet's
-/// plane.
+/// The symmetric D, in N m, of the energy per area ½ κᵀ D κ with κ = (κxx, κyy, κxy) in coordinates of the
+/// sheet's plane.
 using Rigidity = Eigen::Matrix3d;
 
-/// Bent along d to a cylinder: the rigidity B of the energy ½ B κ².
+/// The rigidity B of the energy ½ B κ² if the sheet is bent along d to a cylinder.
 double cylinder_rigidity(const Rigidity& rigidity, const Vector2& d);
 
 /// The rigidity 1 / (D⁻¹)_dd of a narrow strip along d that is bent by a moment and free to curve across and
@@ -44,8 +44,9 @@ double strip_rigidity(const Rigidity& rigidity, const Vector2& d);
 
 class SheetResponse {
  public:
-  /// `plane` (#V) are plane_coordinates(); all are kept by reference. `patch`: measures only so many edges
-  /// around the innermost vertex, which is cheap on any mesh; 0: the whole sheet.
+  /// `plane` (#V) is from plane_coordinates(). `rest` and `plane` are kept by reference. `patch`: only
+  /// vertices that are fewer edges than this away from the innermost vertex are measured, which is cheap on
+  /// any mesh; 0: the whole sheet is measured.
   SheetResponse(const RestMesh& rest, const Pins& pins, std::span<const Vector2> plane, int patch = 0);
 
   /// Whether the sheet has vertices at least `least_depth` edges away from its boundary and pins.

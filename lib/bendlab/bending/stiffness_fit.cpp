@@ -27,9 +27,9 @@ double mean(const ByDirection& values) {
 }
 
 void StiffnessFit::add(double& softness, const ByDirection& energy, const Shares& shares) {
-  // What is left by rounding of an energy that is zero must not count: where a clamp leaves a vertex no other
-  // resistance in a direction, the fit would raise it to what is wanted there.
-  constexpr double rounding = 1e-12;  // of the largest; angles round by 1e-16, their squares by 1e-32
+  // An energy that is zero except for rounding must not count. Where a clamp leaves a vertex no other
+  // resistance in a direction, the fit would otherwise scale that rounding up to the wanted energy.
+  constexpr double rounding = 1e-12;  // of the largest energy; angles round by 1e-16, their squares by 1e-32
   const double least = rounding * *std::ranges::max_element(energy);
   softness_.push_back(&softness);
   for (const double value : energy) energy_.push_back(value > least ? value : 0);
@@ -48,7 +48,8 @@ StiffnessFit::PerVertex StiffnessFit::energies() const {
   return sum;
 }
 
-// Scales all factors alike, so that the energies of the vertices with a target have the right sum.
+// Multiplies all factors by the same number, so that the energies of the vertices with a target have the
+// right sum.
 void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   const PerVertex have = energies();
   double sum = 0, target = 0;
@@ -58,11 +59,12 @@ void StiffnessFit::scale_to(const std::vector<double>& wanted) {
 }
 
 // A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: the energy that a
-// constraint gives to a vertex in a direction is multiplied by the ratio of wanted to present energy there,
-// and the sum of these is its new energy. Keeps f positive and, of the many solutions, near the model's own
-// proportions.
+// constraint gives to a vertex in a direction is multiplied by the ratio of wanted to present energy of that
+// vertex in that direction. The sum of these products is the constraint's new energy. The iteration keeps f
+// positive. Among the many solutions it stays near the model's own proportions.
 void StiffnessFit::improve(const std::vector<double>& wanted) {
-  // Saves rounds: slow errors fall faster; an error that one plain step would remove is halved instead.
+  // Saves rounds, because slow errors fall faster. An error that one plain step would remove is halved
+  // instead.
   constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
   for (std::size_t v = 0; v < vertices_; ++v)
@@ -102,12 +104,15 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
   const auto [least, most] = std::minmax_element(total.begin(), total.end());
   const double reached = area - unreached;
   return {{name + "_factor", own > 0 ? calibrated / own : 0,
-           "of the model's own stiffnesses, on average; times what a softness of 1 stands for"},
+           "mean factor on the model's own stiffnesses, which hold for a compliance of 1"},
           {name + "_rms", reached > 0 ? std::sqrt(squares / reached) : 0,
-           "of the relative error of free vertices' bending energy, averaged over directions"},
-          {name + "_worst", worst, "largest such error"},
+           "RMS over the free vertices of the relative error of their bending energy, which is averaged over "
+           "directions"},
+          {name + "_worst", worst,
+           "largest relative error of a free vertex's bending energy, which is averaged over directions"},
           {name + "_anisotropy", mean(total) > 0 ? (*most - *least) / mean(total) : 0,
-           "energy of all free vertices: largest less smallest over directions, divided by the mean"},
+           "bending energy of all free vertices: the largest value over directions minus the smallest, "
+           "divided by the mean"},
           {name + "_unreached", area > 0 ? unreached / area : 0,
            "share of the free vertices' area where no constraint resists bending"}};
 }
@@ -128,11 +133,11 @@ void StiffnessFit::refit(const std::vector<double>& wanted, int rounds) {
 
 std::vector<BendingFact> StiffnessFit::finish(const std::vector<double>& wanted, double usual,
                                               const std::string& name) {
-  std::vector<double> found = {1 / usual};
-  if (!softness_.empty()) found.clear();
-  for (std::size_t c = 0; c < softness_.size(); ++c) found.push_back(*softness_[c] /= factor_[c]);
-  const double median = upper_median(found);
-  for (double* const softness : idle_) *softness = median;
+  std::vector<double> softnesses = {1 / usual};
+  if (!softness_.empty()) softnesses.clear();
+  for (std::size_t c = 0; c < softness_.size(); ++c) softnesses.push_back(*softness_[c] /= factor_[c]);
+  const double median = upper_median(softnesses);
+  for (double* const softness : without_energy_) *softness = median;
   return facts(wanted, name);
 }
 

@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// Number of bending directions that are sampled: enough for the energy of any constraint here, whose
-/// harmonics in the direction's angle are 0, 2, … 8.
+/// Number of sampled bending directions. It is enough for the energy of any constraint here, because the
+/// energy's harmonics in the direction's angle are 0, 2, … 8.
 inline constexpr std::size_t bending_directions = 9;
 using ByDirection = std::array<double, bending_directions>;
 
@@ -35,35 +35,37 @@ struct Share {
 };
 using Shares = std::vector<Share>;
 
-/// The constraints that meet one target, with each one's energy at κ = 1 by direction and its shares of
-/// vertices.
+/// The constraints that are fitted to one target. Each constraint has its energy at κ = 1 in every direction,
+/// and its shares of vertices.
 class StiffnessFit {
  public:
   explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
 
-  /// `energy` is that at the current softness. The reference to the softness is kept until meet().
+  /// `energy` is the constraint's energy at its current softness. The reference to the softness is kept until
+  /// meet().
   void add(double& softness, const ByDirection& energy, const Shares& shares);
 
-  /// A constraint without bending energy (a spring along an edge): meet() gives it the median softness of the
-  /// others.
-  void add_idle(double& softness) { idle_.push_back(&softness); }
+  /// Adds a constraint without bending energy (a spring along an edge). meet() gives it the median softness
+  /// of the constraints that have bending energy.
+  void add_without_energy(double& softness) { without_energy_.push_back(&softness); }
 
-  bool empty() const { return softness_.empty() && idle_.empty(); }
-  std::size_t size() const { return softness_.size(); }  ///< without the idle ones
+  bool empty() const { return softness_.empty() && without_energy_.empty(); }
+  std::size_t size() const { return softness_.size(); }  ///< constraints with bending energy
 
   /// Sets every softness. `wanted` (#V): energy of each vertex at κ = 1; 0: any energy will do. `usual`: the
-  /// stiffness of idle constraints if there are no others. Returns facts, named `name`_…: how well it went.
+  /// stiffness of constraints without bending energy if no constraint has any. Returns facts, named `name`_…,
+  /// about the quality of the fit.
   std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name) {
     fit(wanted);
     return finish(wanted, usual, name);
   }
 
-  /// The two steps of meet(). Between them the factors may be changed: one on each constraint's stiffness, in
-  /// the order of add().
+  /// The two steps of meet(). Between these steps the caller may change factors(): one factor on the
+  /// stiffness of each constraint, in the order of add().
   void fit(const std::vector<double>& wanted);
   std::vector<BendingFact> finish(const std::vector<double>& wanted, double usual, const std::string& name);
   std::span<double> factors() { return factor_; }
-  /// Fits the current factors by some more rounds.
+  /// Improves the current factors by this number of further rounds.
   void refit(const std::vector<double>& wanted, int rounds);
 
  private:
@@ -82,7 +84,7 @@ class StiffnessFit {
   std::vector<BendingFact> facts(const std::vector<double>& wanted, const std::string& name) const;
 
   std::size_t vertices_;
-  std::vector<double*> softness_, idle_;
+  std::vector<double*> softness_, without_energy_;
   std::vector<double> energy_;  // by constraint and direction
   std::vector<std::size_t> first_share_ = {0};
   std::vector<Share> shares_;

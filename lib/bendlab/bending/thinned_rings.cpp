@@ -16,7 +16,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Directions in the tangent plane of a vertex, as angles from an axis: arbitrary, but fixed for each vertex.
+// Directions in the tangent plane of a vertex, as angles from an axis that is arbitrary but fixed for each
+// vertex.
 class TangentPlanes {
  public:
   explicit TangentPlanes(const RestMesh& rest)
@@ -49,14 +50,15 @@ class TangentPlanes {
   Positions normal_;
 };
 
-// Where a vertex's directions begin, in [0, 1): evenly spread over the vertices and the same on every machine
-// (SplitMix64), so that no direction is missing at all vertices of a lattice.
+// Where a vertex's directions begin, as a share of a full turn in [0, 1). The values are spread evenly over
+// the vertices, so that no direction is missing at all vertices of a lattice. They are the same on every
+// machine (SplitMix64).
 double phase(int vertex) {
   return unit_interval(split_mix(static_cast<std::uint64_t>(vertex), 0));
 }
 
-// A spring's stiffness is ∝ cos⁸ φ = (35 + 56 cos 2φ + 28 cos 4φ + 8 cos 6φ + cos 8φ) / 128, φ the angle
-// between it and the direction of bending. Here 128 times the three terms in the middle.
+// A spring's stiffness is ∝ cos⁸ φ = (35 + 56 cos 2φ + 28 cos 4φ + 8 cos 6φ + cos 8φ) / 128, where φ is the
+// angle between the spring and the direction of bending. These are 128 times the three terms in the middle.
 using Harmonics = Eigen::Matrix<double, 6, 1>;
 Harmonics harmonics(double angle) {
   Harmonics h;
@@ -101,9 +103,9 @@ class Thinned {
     double angle;
   };
 
-  // A ring has a few directions only, and a lattice has the same ones everywhere. So of the candidates near
-  // the aim the one is taken that best makes up for what earlier choices missed; if the sheet ends on this
-  // side, one on the opposite side.
+  // A ring has only a few directions, and on a lattice they are the same everywhere. So choose() takes the
+  // candidate near the aim that best makes up for the errors of earlier choices. If the sheet ends on this
+  // side, it takes a candidate on the opposite side.
   std::vector<Candidate>::iterator choose(std::vector<Candidate>& candidates, double aim,
                                           double reach) const {
     const Harmonics wanted = owed_ + harmonics(aim);
@@ -137,7 +139,7 @@ class Thinned {
   TangentPlanes planes_;
   int per_vertex_, power_;
   Harmonics owed_ = Harmonics::Zero();
-  std::vector<std::vector<int>> partners_;  // of each vertex, those whose own springs lead to it
+  std::vector<std::vector<int>> partners_;  // of each vertex: the vertices whose own springs lead to it
 };
 
 }  // namespace
@@ -158,7 +160,8 @@ BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const Bend
   constraints.distance = std::move(thinned.springs);
   constraints.facts = facts_of(levels);
   constraints.facts.push_back(
-      {"t", static_cast<double>(t), "fixed target level; 0: m for free, n for pinned vertices"});
+      {"t", static_cast<double>(t),
+       "LOD level of every vertex; 0: m for free vertices and n for pinned vertices"});
   return constraints;
 }
 

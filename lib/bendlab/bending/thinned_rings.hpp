@@ -1,5 +1,5 @@
-// A few springs per vertex into the ring t edges away, evenly spread over the directions: what sparse_lod and
-// prestressed share.
+// A few springs per vertex into the ring t edges away, evenly spread over the directions, for the models
+// sparse_lod and prestressed.
 #pragma once
 
 #include "bendlab/bending/levels.hpp"
@@ -18,27 +18,28 @@ inline constexpr auto thinned_ring_fields = joined(
         field<&Settings::t, Settings>(
             {.name = "t",
              .unit = "1",
-             .meaning = "target level, for every vertex; 0 takes m for free and n for pinned vertices",
+             .meaning = "LOD level of every vertex; 0: m for free vertices and n for pinned vertices",
              .minimum = 0,
              .maximum = 1000}),
-        field<&Settings::t_min, Settings>(
-            {.name = "t_min",
-             .unit = "1",
-             .meaning = "lower bound on the level: springs along the mesh's own edges bend nothing",
-             .minimum = 1,
-             .maximum = 1000}),
+        field<&Settings::t_min, Settings>({.name = "t_min",
+                                           .unit = "1",
+                                           .meaning = "lower bound on the LOD level, because springs along "
+                                                      "the mesh's own edges do not resist bending",
+                                           .minimum = 1,
+                                           .maximum = 1000}),
         field<&Settings::springs, Settings>(
             {.name = "springs",
              .unit = "1",
-             .meaning = "springs per vertex, whatever the level; each vertex then is an end of twice as many",
+             .meaning = "springs that start at each vertex, whatever its level; with the springs that end "
+                        "there, a vertex has twice as many on average",
              .minimum = 1,
              .maximum = 64})},
     level_fields<Settings>);
 
 /// Springs at rest, ordered by vertex, and the levels as facts. The axes of a vertex's springs divide a half
 /// turn evenly, because a spring resists bending along its axis, whichever way it points; every other spring
-/// points the opposite way. The softness is (length / t mean edges) to the `power`: springs whose energy is
-/// ∝ length to the `power` / softness then have the same energy.
+/// points the opposite way. The softness is (length / (t mean edges))^power, so that springs whose energy is
+/// ∝ length^power / softness all have the same energy.
 BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power);
 
 }  // namespace bendlab

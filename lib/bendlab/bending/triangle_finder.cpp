@@ -40,9 +40,10 @@ std::size_t TriangleFinder::index(int x, int y) const {
 
 std::optional<TriangleFinder::Place> TriangleFinder::operator()(const Vector2& point) const {
   const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
-  // Of a triangle's height: a notch of an equilateral lattice is half a height deep.
+  // How far outside a triangle a point may lie, relative to the triangle's height. A notch of an equilateral
+  // lattice is half a height deep.
   constexpr double outside = 0.6;
-  std::optional<Place> found;
+  std::optional<Place> nearest;
   double deepest = -outside;
   const auto [x, y] = cell_of(point);
   for (const int t : triangles_in_[index(x, y)]) {
@@ -57,13 +58,13 @@ std::optional<TriangleFinder::Place> TriangleFinder::operator()(const Vector2& p
     for (std::size_t i = 0; i < 3; ++i)
       place.weight[i] = cross(q[(i + 1) % 3] - point, q[(i + 2) % 3] - point) / area;
     const double least = std::min({place.weight[0], place.weight[1], place.weight[2]});
-    if (least > deepest) deepest = least, found = place;
+    if (least > deepest) deepest = least, nearest = place;
   }
-  if (!found) return found;
+  if (!nearest) return nearest;
   double sum = 0;
-  for (double& weight : found->weight) sum += weight = std::max(weight, 0.0);
-  for (double& weight : found->weight) weight /= sum;
-  return found;
+  for (double& weight : nearest->weight) sum += weight = std::max(weight, 0.0);
+  for (double& weight : nearest->weight) weight /= sum;
+  return nearest;
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// Which triangle of a flat sheet a point lies in.
+// Finds the triangle of a flat sheet in which a point lies.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@ namespace bendlab {
 
 class TriangleFinder {
  public:
-  /// `plane` is #V by 2, kept by reference; `cell` is about an edge's length, in the unit of `plane`.
+  /// `plane` is #V by 2. Both arrays are kept by reference. `cell`: the width of a grid cell, about an edge's
+  /// length, in the unit of `plane`.
   TriangleFinder(const Triangles& triangles, std::span<const Vector2> plane, double cell);
 
   struct Place {
@@ -20,8 +21,8 @@ class TriangleFinder {
     std::array<int, 3> corner;
     std::array<double, 3> weight;  ///< barycentric coordinates
   };
-  /// For a point just outside (in a notch of the outline) the nearest point of the sheet; nothing for a point
-  /// farther out.
+  /// Where the point lies. A point just outside (in a notch of the outline) gets the nearest point of the
+  /// sheet. Nothing for a point farther out.
   std::optional<Place> operator()(const Vector2& point) const;
 
  private:

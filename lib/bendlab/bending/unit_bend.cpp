@@ -33,8 +33,9 @@ QuarticForm product(const QuadraticForm& a, const QuadraticForm& b) {
   return p;
 }
 
-// Of a flat sheet: the side that most of its area faces. Triangles that face the other side count as well, or
-// a sheet with half of them turned over would have none.
+// The unit normal of a flat sheet, on the side that most of its area faces. Triangles that face the other
+// side count with the opposite normal, because otherwise a sheet with half of its triangles turned over would
+// have no normal.
 Vector3 normal_of(const RestMesh& rest) {
   const auto twice_area = [&](int t) -> Vector3 {
     const auto corner = rest.triangles().row(t);
@@ -57,7 +58,7 @@ Vector3 normal_of(const RestMesh& rest) {
   return sum.dot(alike) < 0 ? -alike.normalized() : alike.normalized();
 }
 
-// Zero for a triangle without area, so that it adds nothing.
+// Zero for a triangle without area, so that the triangle adds nothing.
 Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   Gradients g = Gradients::Zero();
   if (!(std::abs(twice_area) > 0)) return g;
@@ -68,8 +69,8 @@ Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   return g;
 }
 
-// Strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: those of its corners' displacements,
-// and those of its slopes.
+// The strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: the strain from the displacements
+// of its corners, and the strain from its slopes.
 struct TriangleBend {
   std::array<int, 3> corner;
   double area;
@@ -102,8 +103,8 @@ TriangleBend triangle_bend(const std::array<int, 3>& corner, const std::vector<V
   return bend;
 }
 
-// The unknowns to hold so that no connected part of the sheet can move as a whole: both of one vertex, and
-// one of another vertex, which stops the rotation.
+// The unknowns to hold so that no connected part of the sheet can move as a whole: both unknowns of one
+// vertex, and one unknown of another vertex to stop the rotation.
 std::vector<int> held_unknowns(const RestMesh& rest, const std::vector<Vector2>& plane) {
   std::vector<int> held;
   for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
@@ -138,15 +139,15 @@ Forms least_strain(const RestMesh& rest, const std::vector<Vector2>& plane,
       for (int j = 0; j < 6; ++j) entries.emplace_back(unknown(bend, i), unknown(bend, j), stiffness(i, j));
     }
   }
-  // Springs hold them. They stay unstrained, because a rigid motion costs no energy.
+  // Springs hold these unknowns. The springs stay unstrained, because a rigid motion costs no energy.
   for (const int held : held_unknowns(rest, plane)) entries.emplace_back(held, held, stiffest);
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
   if (factors.info() != Eigen::Success)
     throw std::invalid_argument(
-        "the membrane of this mesh cannot be solved for, because a vertex lies on triangles "
-        "without area only: repair the mesh");
+        "the strain of this mesh's membrane cannot be computed, because a vertex lies only on triangles "
+        "without area: repair the mesh");
   return factors.solve(right);
 }
 

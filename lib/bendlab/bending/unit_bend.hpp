@@ -31,7 +31,7 @@ std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 /// four vertices, and each triangle is flat.
 QuadraticForm fold(const std::array<Vector2, 4>& q);
 
-/// The same angle for any small heights z of the four vertices is Σ weight z: these weights, in 1/m.
+/// Weights in 1/m: for any small heights z of the four vertices the same angle is Σ weight z.
 std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q);
 
 /// A hinge unfolded into a plane: p0, p1 of its edge, then the vertices opposite it.
@@ -52,8 +52,8 @@ class UnitBend {
   /// w in the direction d, over κ², in m³.
   Vector2 displacement(int vertex, const Vector2& direction) const;
 
-  /// Some meshes cannot bend without strain. C in m⁴: a membrane of stiffness 1 N/m (energy ½ |ε|² per area)
-  /// then has the energy ¼ C κ⁴ per area, averaged over all directions.
+  /// C in m⁴ of the membrane itself, because some meshes cannot bend without strain: a membrane of stiffness
+  /// 1 N/m (energy ½ |ε|² per area) then has the energy ¼ C κ⁴ per area, averaged over all directions.
   double membrane_quartic() const { return membrane_quartic_; }
 
  private:

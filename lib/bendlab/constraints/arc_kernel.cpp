@@ -45,12 +45,13 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     P ratio, push, slope;
   };
 
-  // The lanes' ArcSpring::change(). In units of L and k_b/L² the new ρ solves
+  // ArcSpring::change() for all lanes. In units of L and k_b/L² the new ρ solves
   //
   //     load - yielding (1 - ρ) = p(ρ)
   //
   // `load` is the push that would hold the segment straight, and `yielding` is the decrease of that push if
-  // the segment shortens by L. Lanes that need no solution compute one with a load that has a solution.
+  // the segment shortens by L. Lanes that do not buckle compute a solution for another load, which has one,
+  // and drop it.
   BENDLAB_INLINE static P change(const P& value, const Rest& rest, const P& w, const P& alpha,
                                  const P& multiplier) {
     const P length = rest[0], per_both = 1 / (length * w), per_w = length * per_both;
@@ -69,8 +70,8 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
       bent = arc(load, yielding);
     else
       bent = quartic(load, yielding);
-    // The last step is taken in ρ: it is exact to rounding, whether the push changes the length much or
-    // little.
+    // The last step is taken in ρ, because it is then exact to rounding whether the push changes the length
+    // much or little.
     const P held = to_push * multiplier;
     const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
     const P buckled = buckles ? step * length * per_w : -value * per_w;
@@ -93,8 +94,8 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return {ratio, detail::polynomial(series<false>, ratio), detail::polynomial(series<true>, ratio)};
   }
 
-  // Fraction of an interval at which a hyperbola is 0 that has the values of both ends and the first end's
-  // slope.
+  // The fraction of an interval at which a hyperbola is 0. The hyperbola has the values at both ends of the
+  // interval and the slope at the first end.
   BENDLAB_INLINE static P first_guess(const P& at_0, const P& slope_at_0, const P& at_1) {
     return at_0 / (at_0 + slope_at_0 * (at_1 / (at_0 - at_1)));
   }
@@ -104,10 +105,10 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return low < highest ? low : broadcast(highest);
   }
 
-  // In z = y²: ρ = 3e - z f and p = 4/e with e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2. Times e, the
-  // equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0. G falls and is convex up to its root, so
-  // Newton's method does not diverge. After these steps the error of z is 10⁻³ (float) and 10⁻⁷ (double); the
-  // last step in change() squares it.
+  // With z = y²: ρ = 3e - z f and p = 4/e, where e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2.
+  // Multiplied by e, the equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0. G falls and is convex up
+  // to its root, so Newton's method does not diverge. After these steps the error of z is 10⁻³ (float) and
+  // 10⁻⁷ (double); the last step in change() squares it.
   BENDLAB_INLINE static Bent arc(const P& load, const P& yielding) {
     constexpr int steps = sizeof(Real) == 4 ? 3 : 4;
     constexpr auto closed = static_cast<Real>(9.869604401089358);  // z = π² at y = π
@@ -124,7 +125,7 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return {3 * e - z * f, 4 * per_e, -4 * f * per_e * per_e * per_e};
   }
 
-  // The same with the polynomial law: p is convex in ρ, and the steps start at 1 - ρ = 0.
+  // The same with the polynomial law: p is convex in ρ, and the first guess takes the slope at 1 - ρ = 0.
   BENDLAB_INLINE static Bent quartic(const P& load, const P& yielding) {
     constexpr int steps = sizeof(Real) == 4 ? 2 : 3;
     const Bent straight = quartic_at(broadcast<Real>(1));

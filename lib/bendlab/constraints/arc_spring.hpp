@@ -4,9 +4,9 @@
 //      /       \          L: r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ². Its ends push apart with
 //     a----r----b         P = -dU/dr = k_b κ² / (sinc y - cos y): 12 k_b/L² straight, 4π² k_b/L² closed.
 //
-// Nothing resists r > L. At r = L the push is that which holds the segment straight, up to 12 k_b/L²: the
-// force jumps. Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs.
-// change() solves for the multiplier including the jump, and needs no such spring.
+// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L², so the
+// force jumps. Choi and Ko join both sides of the jump by a steep spring c_b, which their implicit
+// integration needs. change() solves for the multiplier including the jump, and needs no such spring.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct ArcSpring {
   static constexpr std::size_t rest_values = 1;  ///< L, m
   static constexpr bool one_sided = true;
 
-  /// m, see largest_move.
+  /// Size at rest, m (see largest_move).
   template <class Real>
   static Real rest_size(const std::array<Real, 1>& rest) {
     return rest[0];
@@ -38,8 +38,8 @@ struct ArcSpring {
   };
   static constexpr std::array<std::string_view, 2> law_names = {"exact", "polynomial"};
 
-  /// -4 p by ascending powers of r/L. p is from Blender's implicit cloth solver (implicit_blender.c, which
-  /// leaves out the factor 4/L²).
+  /// The coefficients of -4 p by ascending powers of r/L. p is from Blender's implicit cloth solver
+  /// (implicit_blender.c, which leaves out the factor 4/L²).
   static constexpr std::array<double, 5> polynomial = {4 * 9.713, -4 * 23.116, 4 * 39.083, -4 * 34.193,
                                                        4 * 11.541};
 
@@ -67,15 +67,15 @@ struct ArcSpring {
   struct Potential {
     double energy, slope, curvature;
   };
-  /// For C ≤ 0. At 0 they are those of the segment that begins to buckle.
+  /// Requires C ≤ 0. At C = 0 the derivatives are those of a segment that begins to buckle.
   static Potential potential(double value, const std::array<double, 1>& rest, Law law);
 
   /// U / k_b, 1/m, at C = r - L.
   static double energy(double value, const std::array<double, 1>& rest, Law law);
 
   /// Δλ of the exact solution of λ' = h² P(r') with r' = r + w Δλ, at C = r - L. At r' = L, P may have any
-  /// value from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` is 1 / (k_b h²), λ ≥ 0 pushes. In double for
-  /// every Real.
+  /// value from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` is 1 / (k_b h²), λ ≥ 0 pushes. Computed in
+  /// double for every Real.
   static double change(double value, const std::array<double, 1>& rest, Law law, double w, double alpha,
                        double multiplier);
 
@@ -120,7 +120,8 @@ inline ArcSpring::Bent ArcSpring::bent(double t, Law law) {
   return {1 - t, push};
 }
 
-/// The t at which bent() has that ratio: Newton's method, or a bisection where that leaves the bracket.
+/// The t at which bent() has this ratio. Newton's method, with a bisection wherever a step leaves the
+/// bracket.
 inline double ArcSpring::bending_of(double ratio, Law law) {
   if (!(ratio < 1)) return 0;
   if (law == Law::polynomial || ratio <= 0) return std::min(1 - ratio, 1.0);
@@ -147,7 +148,7 @@ inline ArcSpring::Potential ArcSpring::potential(double value, const std::array<
     return {2 * y * y / length, -4 * y * y / below / squared,
             4 * push_rise(y) / (below * below) * y / below / (squared * length)};
   }
-  double energy = 0, push = 0, rise = 0;  // of 1 - ratio, at ratio, and its derivative
+  double energy = 0, push = 0, rise = 0;  // integral of the push from ratio to 1; push at ratio; its slope
   for (std::size_t n = polynomial.size(); n-- > 0;) {
     rise = rise * ratio + push;
     push = push * ratio + polynomial[n];
@@ -163,18 +164,19 @@ inline double ArcSpring::energy(double value, const std::array<double, 1>& rest,
 inline double ArcSpring::change(double value, const std::array<double, 1>& rest, Law law, double w,
                                 double alpha, double multiplier) {
   const double straight = multiplier - value / w;  // λ' if r' = L
-  if (straight < 0) return -multiplier;            // it would pull: λ' = 0
-  // Below in units of L and k_b/L²; to_push λ is a push in these.
+  if (straight < 0) return -multiplier;            // the spring would pull: λ' = 0
+  // From here on, lengths are in units of L and pushes in units of k_b/L²: to_push λ is a push in these
+  // units.
   const double length = rest[0], to_push = alpha * length * length, yielding = to_push * length / w;
   if (to_push * straight <= bent(0, law).push) return -value / w;  // r' = L: the push stays below its limit
-  // It buckles: push(r') = to_push λ', which is to_push straight - yielding (1 - r') because r' = r + w Δλ.
+  // The segment buckles: push(r') = to_push λ', which is to_push straight - yielding (1 - r') because
+  // r' = r + w Δλ.
   const Bent end = bent(bisected([&](double t) {
                           const Bent at = bent(t, law);
                           return to_push * straight - yielding * (1 - at.ratio) > at.push;
                         }),
                         law);
-  // Δλ follows from λ' or from r', whichever is the more accurate: the push changes by 7 to 118 per unit of
-  // r'.
+  // Δλ follows from λ' or from r', whichever is more accurate: the push changes by 7 to 118 per unit of r'.
   return yielding > 40 ? end.push / to_push - multiplier : ((end.ratio - 1) * length - value) / w;
 }
 

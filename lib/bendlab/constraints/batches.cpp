@@ -8,8 +8,8 @@
 namespace bendlab {
 namespace {
 
-// For every lane offset_of() the constraint's corner `corner`, which is vertex_of(constraint), or the lane's
-// own dummy.
+// By lane: offset_of() the vertex at corner `corner` of the lane's constraint, which is
+// vertex_of(constraint). A padded lane gets its own dummy.
 template <class VertexOf>
 LargeArray<int> offsets_of(const BatchOrder& order, int corner, int vertex_count, VertexOf vertex_of) {
   LargeArray<int> offsets(order.lane_count());
@@ -29,7 +29,7 @@ LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertic
                     [&](std::size_t c) { return vertices[c][static_cast<std::size_t>(corner)]; });
 }
 
-// For every star offset_of() its centre. A padded lane's is its own dummy.
+// By star: offset_of() its centre. A padded lane gets its own dummy.
 LargeArray<int> centre_offsets(const PairList& pairs, const BatchOrder& order, int vertex_count) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
   LargeArray<int> offsets(order.stack_count() * width);
@@ -52,7 +52,7 @@ LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   return values;
 }
 
-// As near as Real has it, and neither 0 nor infinite.
+// The softness, bounded so that it does not become 0 or infinite as a Real.
 template <class Real>
 double nearest_number(double softness) {
   if (!(softness > 0)) return softness;

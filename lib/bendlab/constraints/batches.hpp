@@ -26,18 +26,19 @@
 namespace bendlab {
 
 /// Lanes of a group: as many as the widest pack of any processor has (pack.hpp), so that the order of a batch
-/// is the same on all.
+/// is the same on all processors.
 inline constexpr int max_lanes = 16;
 inline constexpr auto group_size = static_cast<std::size_t>(max_lanes);
 
-/// The order of a batch's constraints. A star's springs mostly follow one another in the list. Then two
-/// numbers for the star say where they are, and none is needed for each spring.
+/// The order of a batch's constraints. The springs of a star mostly follow one another in the list. Then two
+/// numbers per star say where its springs are, and no number per spring is needed.
 struct BatchOrder {
-  /// max_lanes per stack: the place of the constraint in the lane's first group; -1: the lane is padded. The
-  /// next groups have the constraints at the places before it.
+  /// max_lanes per stack: the place of the lane's constraint in the first group; -1: the lane is padded. In
+  /// the next groups the lane holds the constraints at the places before it.
   std::vector<int> first;
-  std::vector<std::uint8_t> length;  ///< likewise, groups that are not padded; empty: one, where there is any
-  std::vector<int> at_place;         ///< index in the list of the constraint at each place; empty: the place
+  /// max_lanes per stack: in how many groups the lane holds a constraint; empty: in one, unless it is padded.
+  std::vector<std::uint8_t> length;
+  std::vector<int> at_place;  ///< index in the list of the constraint at each place; empty: the place itself
   std::vector<std::size_t> stacks;   ///< first lane of each stack, then the number of lanes
   std::vector<std::size_t> colours;  ///< first stack of each colour, then the number of stacks
   bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the oracle may project it
@@ -46,9 +47,9 @@ struct BatchOrder {
   std::size_t lane_count() const { return stacks.empty() ? 0 : stacks.back(); }
   /// Whether a lane of that stack holds a constraint.
   bool holds(std::size_t stack, std::size_t lane) const;
-  /// Its index in the list, or -1 if the lane is padded.
+  /// Index in the list of the constraint in a lane of that stack, or -1 if the lane is padded.
   int constraint(std::size_t stack, std::size_t lane) const;
-  std::vector<int> constraint_of_lane() const;  ///< of every lane
+  std::vector<int> constraint_of_lane() const;  ///< constraint() of every lane
 };
 
 inline bool BatchOrder::holds(std::size_t stack, std::size_t lane) const {
@@ -64,7 +65,7 @@ inline int BatchOrder::constraint(std::size_t stack, std::size_t lane) const {
   return at_place.empty() ? place : at_place[static_cast<std::size_t>(place)];
 }
 
-/// Calls visit(lane, constraint) for every lane; the constraint of a padded one is -1.
+/// Calls visit(lane, constraint) for every lane; the constraint of a padded lane is -1.
 template <class Visit>
 void for_each_lane(const BatchOrder& order, Visit visit) {
   for (std::size_t stack = 0; stack + 1 < order.stacks.size(); ++stack)
@@ -78,11 +79,11 @@ inline std::vector<int> BatchOrder::constraint_of_lane() const {
   return all;
 }
 
-/// The most vertices that a constraint has.
+/// The largest number of vertices of a constraint.
 inline constexpr int dummy_corners = 4;
 /// Dummy points for padded lanes: one per lane and corner, so that a pack never writes a point twice. Their
-/// positions change no result. But a lane whose dummies are at one point counts as collapsed and is projected
-/// again with care, which takes time.
+/// positions change no result. But a lane whose dummies are all at the same point counts as collapsed and is
+/// projected again with care, which takes time.
 inline constexpr int dummy_points = dummy_corners * max_lanes;
 
 template <class Real>
@@ -95,10 +96,11 @@ struct DistanceBatch {
   LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;               ///< fraction per projection
-  Real compliance = 0;      ///< times softness: α, m/N
-  bool only_pulls = false;  ///< a spring shorter than at rest is slack; of projections alone
+  Real compliance = 0;      ///< α is this times the softness, m/N
+  bool only_pulls = false;  ///< a spring shorter than at rest is slack; only for projections
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
+  /// Rest shape along which collapsed springs open; null: they stay collapsed.
+  const Point<Real>* rest_points = nullptr;
 };
 
 enum class StrainForm {
@@ -111,8 +113,8 @@ enum class StrainForm {
 };
 inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
 
-/// What a stretch's α is times that of shear, so that all forms have one stiffness at rest: green's
-/// S_ii - 1 is about 2 (√S_ii - 1).
+/// The α of stretch divided by the α of shear, so that all forms have the same stiffness at rest: S_ii - 1 of
+/// `green` is about 2 (√S_ii - 1).
 constexpr int stretch_softness(StrainForm form) {
   return form == StrainForm::green ? 4 : 1;
 }
@@ -129,7 +131,8 @@ struct StrainBatch {
   Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)
   Real compliance = 0;  ///< inverse membrane stiffness, m/N; a triangle's α is compliance / rest area
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
+  /// Rest shape along which collapsed triangles open; null: they stay collapsed.
+  const Point<Real>* rest_points = nullptr;
 };
 
 /// Batches from lists, in the given order. `vertex_count` is the index of the first dummy.

@@ -59,7 +59,7 @@ std::vector<double> lumped_masses(const RestMesh& rest, double density) {
       mass[static_cast<std::size_t>(rest.triangles()(t, c))] +=
           density * rest.areas()[static_cast<std::size_t>(t)] / 3;
   const std::vector<char> sound = on_sound_triangles(rest, triangles_without_area(rest.mesh()));
-  constexpr double least = 0.01;  // of the mean: light compared with its neighbours, but PBD converges
+  constexpr double least = 0.01;  // of the mean: light compared with the neighbours, but PBD still converges
   const double mean = std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size());
   for (std::size_t v = 0; v < mass.size(); ++v)
     if (sound[v] == 0) mass[v] = std::max(mass[v], least * mean);

@@ -1,4 +1,4 @@
-// Constraints that depend on the mesh alone, and its masses.
+// Constraints that depend on the mesh alone, and the masses of the mesh.
 #pragma once
 
 #include <vector>
@@ -10,14 +10,14 @@
 
 namespace bendlab {
 
-/// One strain constraint per triangle, in mesh order. A triangle gets none if all its corners are pinned or
-/// if it is `off` (#T; empty: none is).
+/// One strain constraint per triangle, in mesh order. A triangle gets no constraint if all its corners are
+/// pinned or if it is `off` (#T; empty: no triangle is).
 StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
                                      const std::vector<InverseRest>& inverse_rest,
                                      const std::vector<char>& off = {});
 
-/// #T: whether a triangle is degenerate and all its vertices also have a triangle that is not, so that it
-/// needs no strain constraint (BadTriangles::membrane_off).
+/// #T: whether a triangle is degenerate and all its vertices also have a triangle that is not degenerate.
+/// Then the degenerate triangle needs no strain constraint (BadTriangles::membrane_off).
 std::vector<char> dispensable_triangles(const RestMesh& rest);
 
 /// The membrane of mass-spring cloth: a spring at rest along every edge with a free end, in mesh order.

@@ -1,12 +1,12 @@
-// What lies in a lane: a star, that is the springs of one centre a, group after group of its stack. The
-// centres stay in registers. A pack takes lanes<Real> of the max_lanes = 16 lanes at a time.
+// What lies in a lane: a star, that is the springs of one centre a, one spring in each group of its stack.
+// The centres stay in registers. A pack takes lanes<Real> of the max_lanes = 16 lanes at a time.
 //
 //   lane           0      1      2    …
 //   centre a       a0     a1     a2         batch.a[16 stack + lane]
 //   group 0  b     b0     b1     b2         batch.b, rest_length, softness, multiplier at
 //   group 1  b     b16    b17    b18        stacks[stack] + 16 group + lane
 //
-// The scalar code beside it: distance_constraint() and project_by_oracle() in oracle.hpp.
+// The oracle (scalar code): distance_constraint() and project_by_oracle() in oracle.hpp.
 #include <limits>
 
 #include "bendlab/constraints/kernels.hpp"
@@ -15,19 +15,20 @@
 namespace bendlab {
 namespace {
 
-// A batch's data is fetched so many lanes before it is used. A tile begins in the middle of each colour,
-// where the processor has no stream to follow (measured at a million vertices: 8 % of the time of a spring).
+// The number of lanes by which a batch's data is fetched before it is used. A tile begins in the middle of
+// each colour, where the processor has no stream to follow (measured at a million vertices: this saves 8 % of
+// the time of a spring).
 constexpr std::size_t ahead = 512;
 
-// The springs of a pack in the rest shape.
+// The ends of a pack's springs in the rest shape.
 template <class Real>
 struct RestEnds {
-  const Point<Real>* points;  // null: none
-  const int *a, *b;           // offsets, a lane each
+  const Point<Real>* points;  // null: there is no rest shape
+  const int *a, *b;           // offsets, one per lane
 
-  // In `collapsed` lanes sets d to the direction at rest with the length `length`. Not in padded lanes, whose
-  // rest length is the largest number: a star that is shorter than its stack has its own centre there, and
-  // where that lies next to the dummy the length overflows.
+  // In `collapsed` lanes sets d to the direction at rest with the length `length`. Padded lanes, whose rest
+  // length is the largest number, are left out: a star that is shorter than its stack has its own centre in
+  // them, and if that centre lies next to the dummy, the length overflows.
   BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
                            const Pack<Real>& length) const {
     if (points == nullptr) return;
@@ -76,7 +77,7 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
   return scaled<Real>(-step * b.w, d);
 }
 
-enum class Alpha { none, common, own };  // PBD; XPBD with one α for all springs; XPBD with an α for each
+enum class Alpha { none, common, own };  // PBD; XPBD with one α for all springs; XPBD with an α per spring
 
 template <class Real, Alpha kind, bool split, bool only_pulls>
 void project_stacks(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first,

@@ -38,7 +38,7 @@ double square(double x) {
   return x * x;
 }
 
-// Adds a constraint whose bending part is its value.
+// Adds a constraint whose bending part B is its value C.
 template <std::size_t N>
 void add(AppliedWork& work, const ConstraintValue<double, N>& c, double multiplier, double alpha,
          double rounding) {
@@ -79,7 +79,7 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& s
 }
 
 // The Green strain E of the membrane at every vertex, as a tensor on the rest shape: the mean over its
-// triangles, weighted by area. A vertex with area 0 has none.
+// triangles, weighted by area. A vertex with area 0 has no strain.
 struct MembraneStrain {
   std::vector<Eigen::Matrix3d> strain;
   std::vector<double> area;  // m²
@@ -102,7 +102,7 @@ struct MembraneStrain {
     };
     const Eigen::Matrix<double, 3, 2> at_rest = edges(state.rest), now = edges(state.positions);
     const Eigen::Matrix2d metric = at_rest.transpose() * at_rest;
-    constexpr double least = 1e-6;  // sin² of the angle at the first corner: flatter ones are left out
+    constexpr double least = 1e-6;  // sin² of the angle at the first corner: flatter triangles are left out
     if (!(metric.determinant() > least * metric(0, 0) * metric(1, 1))) return;
     const Eigen::Matrix<double, 3, 2> dual = at_rest * metric.inverse();
     const double of_triangle = 0.5 * std::sqrt(metric.determinant());
@@ -134,7 +134,7 @@ class SpringMeter {
     return BendingPart{at_rest, (state_.positions[a] - state_.positions[b]).norm() - stretched};
   }
 
-  // m, the rounding of B: from two ends and the strain between them.
+  // The rounding of B, m: it comes from two ends and the strain between them.
   double rounding() const { return 4 * state_.rounding; }
 
  private:
@@ -165,7 +165,7 @@ void add_springs(AppliedWork& work, const DistanceBatch<Real>& batch, const Spri
   });
 }
 
-// Kinds that measure bending by a distance: `stated` is the push by their own law.
+// For kinds that measure bending by a distance. `stated` is the push by the kind's own law.
 template <class Real, OneSided Kind>
 void add_springs(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const SpringMeter& meter,
                  double substep) {
@@ -194,14 +194,14 @@ void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const 
 }
 
 bool is_measured(const AppliedWork& work) {
-  constexpr double least = 100;  // of squares: 10 times the rounding of C
+  constexpr double least = 100;  // ratio of squares: C is then 10 times its rounding
   return work.measured > least * work.rounding && work.stated > 0;
 }
 
-// If work is done on the cloth that the cloth should do, the share is 0.
+// The share is 0 if the work has the wrong sign, that is, if the constraints help the deformation.
 double share_of(const AppliedWork& work) {
-  // Flexibility over stiffness: settled strips and sheets had up to 7. A cloth that shakes has hundreds, from
-  // multipliers that resist no bending.
+  // Bound on flexibility over stiffness. Settled strips and sheets had up to 7. A cloth that shakes has
+  // hundreds, because of multipliers that do not resist bending.
   constexpr double most = 8;
   const double stiffness = std::max(0.0, work.applied) / work.stated;
   if (work.spent == 0 || !(stiffness > 0)) return stiffness;
@@ -237,7 +237,7 @@ template <class Real>
 EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state) {
   EffectiveStiffness result{
       .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
-  if (constraints.own.count > 0) return result;  // nothing is known of them
+  if (constraints.own.count > 0) return result;  // the bending part of own elements is not known
   std::optional<SpringMeter> meter;
   const auto measure_springs = [&](const auto& batch) {
     if (state.rest.empty()) return;

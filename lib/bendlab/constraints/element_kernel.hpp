@@ -15,7 +15,7 @@
 //   rest          r        r        r            rest[0], …; in batch.rest[i]
 //   α, λ          α        α        α            XPBD: from batch.softness, batch.multiplier
 //
-// The scalar code beside it: Kind::value() and project_by_oracle() in oracle.hpp.
+// The oracle (scalar code): Kind::value() and project_by_oracle() in oracle.hpp.
 #pragma once
 
 #include <stdexcept>
@@ -37,14 +37,14 @@ struct PackConstraint {
 
 /// A kind with one of its laws, for the lanes of a pack. A specialisation inherits from ElasticKernel and has
 ///
-/// * `evaluate(p, rest)` → PackConstraint: the lanes' Kind::value();
+/// * `evaluate(p, rest)` → PackConstraint: Kind::value() of the lanes;
 /// * `rest_size_squared(rest)`, m²: of a length that is no longer than the constraint's size at rest;
-/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that.
+/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that size.
 template <class Real, class Kind, typename Kind::Law law>
 struct PackKernel;
 
-/// What a PackKernel inherits, and redefines if its kind differs: the energy is ½ C² / α for every C, and
-/// collapsed constraints stay collapsed.
+/// The defaults that a PackKernel inherits, and redefines if its kind differs: the energy is ½ C² / α for
+/// every C, and collapsed constraints stay collapsed.
 template <class Scalar, class Kind>
 struct ElasticKernel {
   using Real = Scalar;
@@ -56,7 +56,7 @@ struct ElasticKernel {
   /// The lanes in which k and damping act on the value C.
   BENDLAB_INLINE static PackMask<Real> resists(const Pack<Real>&) { return Pack<Real>{} == Pack<Real>{}; }
 
-  /// Δλ of a projection with w = Σ w|∇C|². A OneSided kind has the lanes' Kind::change() instead.
+  /// Δλ of a projection with w = Σ w|∇C|². A OneSided kind has Kind::change() of the lanes instead.
   BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const Rest&, const Pack<Real>& w,
                                           const Pack<Real>& alpha, const Pack<Real>& multiplier) {
     return (-value - alpha * multiplier) / (w + alpha);
@@ -193,8 +193,9 @@ struct XpbdStiffness {
   }
 };
 
-// Projects a pack of constraints. Returns false and changes nothing if they have to be projected carefully:
-// one has collapsed, or a corner would move farther than its constraint's size at rest.
+// Projects a pack of constraints. Returns false and changes nothing if the pack has to be projected
+// carefully, because a constraint has collapsed or a corner would move farther than its constraint's size at
+// rest.
 template <class Kernel, class Corners, class Stiffness, class Real>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Batch& batch, std::size_t lane,
                                  const Stiffness& stiffness) {
@@ -216,8 +217,8 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Ba
   return true;
 }
 
-// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
-// either.
+// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if the rest shape has
+// no direction either.
 template <class Kernel>
 BENDLAB_INLINE void open(typename Kernel::Constraint& c, const typename Kernel::Corners& p,
                          const typename Kernel::Rest& rest, const typename Kernel::Batch& batch,
@@ -258,8 +259,8 @@ BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
-// project_pack() with collapsed constraints opened and moves bounded. A function of its own, so that the rare
-// case takes no registers from the usual one.
+// project_pack() with collapsed constraints opened and moves bounded. A separate function, so that the rare
+// case takes no registers from the usual case.
 template <class Kernel, class Corners, class Stiffness, class Real>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, typename Kernel::Batch& batch,
                                          std::size_t lane, const Stiffness& stiffness) {
@@ -336,7 +337,7 @@ void with_kernel(const ElementBatch<Real, Kind>& batch, const Action& action) {
 
 }  // namespace detail
 
-// No two constraints of a stack share a vertex, so the order within it does not matter.
+// No two constraints of a stack share a vertex, so the order within a stack does not matter.
 template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
              std::size_t last, Real substep, bool) {
@@ -365,7 +366,8 @@ template <class Real, class Kind>
 void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBatch<Real, Kind>& batch,
                 std::size_t first, std::size_t last) {
   if constexpr (OneSided<Kind>) {
-    if (first < last) throw std::logic_error("add_forces: the force of a one-sided kind jumps");
+    if (first < last)
+      throw std::logic_error("add_forces: one-sided kinds have no forces here, because their force jumps");
   } else {
     detail::with_kernel(batch, [&]<class Kernel>(Kernel) {
       detail::add_forces_of_lanes<Kernel>(points, forces, batch, batch.order.stacks[first],

@@ -9,19 +9,19 @@
 //     static constexpr std::string_view name;  // in run files
 //     static constexpr std::size_t arity, rest_values;
 //     enum class Law { … };                     // variants of C
-//     static constexpr std::array law_names;    // as many, in their order
+//     static constexpr std::array law_names;    // of the laws, in their order
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
 //     template <class Real>
 //     static Real rest_size(rest);   // m, no longer than the constraint at rest (see largest_move)
 //   };
 //
-// Its energy is ½ C² / α. A kind with another energy, which is 0 for C ≥ 0, is OneSided: k and damping act on
-// it only if C < 0, and it defines what otherwise follows from ½ C² / α,
+// The energy of a kind is ½ C² / α. A kind with another energy, which is 0 for C ≥ 0, is OneSided: k and
+// damping act on it only if C < 0. Such a kind also defines functions that otherwise follow from ½ C² / α:
 //
 //     static constexpr bool one_sided = true;
 //     static double energy(C, rest, law);                        // times the compliance
-//     static Potential potential(C, rest, law);                  // that, and its derivatives by C, for C ≤ 0
+//     static Potential potential(C, rest, law);                  // energy and derivatives by C, for C ≤ 0
 //     static double change(C, rest, law, w, alpha, multiplier);  // Δλ of a projection, w = Σ w|∇C|²
 #pragma once
 
@@ -58,9 +58,10 @@ struct ElementBatch {
   typename Kind::Law law{};
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
-  Real compliance = 0;  ///< times softness: α
+  Real compliance = 0;  ///< α is this times the softness
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
+  /// Rest shape along which collapsed elements open; null: they stay collapsed.
+  const Point<Real>* rest_points = nullptr;
 };
 
 /// A batch from a list, in the given order. `vertex_count` is the index of the first dummy.

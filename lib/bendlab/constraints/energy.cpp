@@ -31,9 +31,9 @@ double elastic_energy(const ElementList<Kind>& list, const Positions& positions)
     const auto value =
         Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law);
     if (!value.defined) continue;
-    double of_one = value.value * value.value;
-    if constexpr (OneSided<Kind>) of_one = 2 * Kind::energy(value.value, list.rest[c], list.law);
-    twice += of_one / list.softness[c];
+    double twice_of_element = value.value * value.value;
+    if constexpr (OneSided<Kind>) twice_of_element = 2 * Kind::energy(value.value, list.rest[c], list.law);
+    twice += twice_of_element / list.softness[c];
   }
   return 0.5 * twice;
 }

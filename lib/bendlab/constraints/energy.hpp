@@ -1,5 +1,5 @@
-// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness; for
-// a OneSided kind its own energy / softness. Undefined (collapsed) constraints do not count.
+// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness. For
+// a OneSided kind it is the kind's own energy / softness. Undefined (collapsed) constraints do not count.
 #pragma once
 
 #include "bendlab/constraints/batches.hpp"
@@ -8,14 +8,14 @@
 
 namespace bendlab {
 
-/// J times the scene's compliance.
+/// Elastic energy in J times the scene's compliance.
 double elastic_energy(const DistanceConstraints& list, const Positions& positions);
 template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Of warp, weft and shear in this form. α is compliance / rest area, and stretch_softness() times that for
-/// warp and weft.
+/// The same for warp, weft and shear in this form. The α of shear is compliance / rest area, and the α of
+/// warp and weft is stretch_softness() times as large.
 double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
 
 }  // namespace bendlab

@@ -23,7 +23,7 @@ struct HingeAngle {
   /// Rest angle θ0, inverse rest length of the edge in 1/m, sin(θ0/2), cos(θ0/2).
   static constexpr std::size_t rest_values = 4;
 
-  /// m (see largest_move).
+  /// Size at rest, m (see largest_move).
   template <class Real>
   static Real rest_size(const std::array<Real, 4>& rest) {
     return 1 / rest[1];
@@ -41,7 +41,8 @@ struct HingeAngle {
 };
 
 /// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined if the edge or
-/// a triangle's height has collapsed compared with the edge's rest length; the triangle's strain opens it.
+/// a triangle's height has collapsed compared with the edge's rest length; the triangle's strain then opens
+/// the triangle.
 template <class Real>
 ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real per_rest_edge) {
   const Vector3Of<Real> e = (p[1] - p[0]) * per_rest_edge;

@@ -6,7 +6,7 @@
 //      \  /           rest[2], [3]  sin(θ0/2), cos(θ0/2)
 //       p3
 //
-// Symbols and order are those of hinge_angle() in hinge_angle.hpp, the scalar code.
+// Symbols and order are those of the oracle, hinge_angle() in hinge_angle.hpp.
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/pack_math.hpp"

@@ -1,4 +1,5 @@
-// Every element kind. A new kind is added to the list here, and calibrate() has to know how it resists.
+// All element kinds. To add a kind, add it to the list here, and state in calibration.cpp how the kind
+// resists.
 #pragma once
 
 #include <string_view>
@@ -38,28 +39,28 @@ using ListedKinds = AfterFirst<void BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_THEN_KIND)
 #undef BENDLAB_THEN_KIND
 }  // namespace detail
 
-/// All of them, in the order of the list.
+/// All element kinds, in the order of the list.
 using ElementKinds = detail::ListedKinds;
 
-/// A list per kind, and a batch per kind.
+/// One list per kind, and one batch per kind.
 using ElementLists = detail::OfKinds<double, ElementKinds>::Lists;
 template <class Real>
 using ElementBatches = typename detail::OfKinds<Real, ElementKinds>::Batches;
 
-/// Index of a kind in these.
+/// Index of a kind in these tuples.
 template <class Kind>
 inline constexpr std::size_t kind_index = detail::OfKinds<double, ElementKinds>::index<Kind>();
 
-/// Index of the kind with that Kind::name. Throws std::invalid_argument, which lists the names there are.
+/// Index of the kind with that Kind::name. Throws std::invalid_argument, which lists the known names.
 std::size_t index_of_kind(std::string_view name);
 
-/// Calls action(list or batch) for each kind's.
+/// Calls action(list) or action(batch) for every kind.
 template <class Tuple, class Action>
 void for_each_kind(Tuple& elements, const Action& action) {
-  std::apply([&](auto&... each) { (action(each), ...); }, elements);
+  std::apply([&](auto&... lists) { (action(lists), ...); }, elements);
 }
 
-/// Constraints of all kinds together.
+/// Number of constraints of all kinds together.
 inline std::size_t element_count(const ElementLists& lists) {
   std::size_t count = 0;
   for_each_kind(lists, [&](const auto& list) { count += list.size(); });

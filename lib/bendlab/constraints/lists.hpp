@@ -1,4 +1,4 @@
-// Constraints as plain lists, one per kind: as models build them, before they are ordered.
+// Constraints as plain lists, one list per kind, as models build them and before they are ordered.
 #pragma once
 
 #include <array>
@@ -13,10 +13,10 @@ namespace bendlab {
 /// |p_a - p_b| = rest(c).
 struct DistanceConstraints {
   PairList vertices;  ///< #C pairs (a, b)
-  /// #C, m; or empty: a spring is as long as its vertices are apart in rest_shape. Most models mean that, and
-  /// a list of their millions of lengths would be the largest thing in memory.
+  /// #C, m. If empty, a spring's rest length is the distance of its vertices in rest_shape. Most models mean
+  /// this, and a list of millions of lengths would be the largest array in memory.
   std::vector<double> rest_length = {};
-  std::vector<double> softness = {};  ///< #C, or empty (all 1); XPBD: α is it times the scene's compliance
+  std::vector<double> softness = {};  ///< #C, or empty (all 1). XPBD: α is this times the scene's compliance
   std::shared_ptr<const Positions> rest_shape = nullptr;  ///< #V by 3, m; null where the lengths are stored
 
   std::size_t size() const { return vertices.size(); }

@@ -54,8 +54,8 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
-// value_at(p). If the constraint has collapsed, with the gradient at the rest shape, whose corners are `rest`
-// (null: there is none).
+// value_at(p). If the constraint has collapsed, its gradient is the gradient at the rest shape, whose corners
+// are `rest` (null: there is no rest shape).
 template <class Real, std::size_t N, class ValueAt>
 ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
                                  const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
@@ -72,7 +72,7 @@ std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real
   return {&point_at(rest_points, offsets)...};
 }
 
-// XPBD for a kind that defines the change of the multiplier itself.
+// XPBD for a kind that itself defines the change of the multiplier.
 template <class Real, OneSided Kind, std::size_t N>
 void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintValue<Real, N>& c,
                        const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
@@ -86,7 +86,7 @@ void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintVal
   multiplier += move_by_oracle(p, c, change, reach);
 }
 
-// A spring that only pulls: λ ≤ 0. True if it is slack; it has then given back what it had pulled.
+// For a spring that only pulls: λ ≤ 0. Returns true if the spring is slack, and then undoes its earlier pull.
 template <class Real>
 bool slackened(const std::array<Corner<Real>, 2>& p, const ConstraintValue<Real, 2>& c, Real* multiplier) {
   if (multiplier == nullptr) return c.value <= 0;
@@ -133,8 +133,8 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
-    // A stretch that had collapsed before the first term is C = f·d - 1 with the direction d at rest, however
-    // that term changed f.
+    // If a stretch had collapsed before the first term, its constraint is C = f·d - 1 with the direction d at
+    // rest, even if the first term changed f.
     const auto start = vectors_of<Real>(p);
     const auto stretch = [&](int axis) {
       const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };

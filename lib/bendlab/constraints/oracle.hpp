@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// A corner of a constraint, for projections: the vertex itself, or relative to the base of the first corner
-/// if places are split.
+/// A corner of a constraint, for projections. Its position is that of the vertex, or, if places are split,
+/// relative to the base of the first corner.
 template <class Real>
 struct Corner {
   Vector3Of<Real> base;
@@ -27,14 +27,14 @@ struct Corner {
 /// The corners at these offsets.
 template <class Real, class... Offsets>
 std::array<Corner<Real>, 1 + sizeof...(Offsets)> corners_at(const Places<Real>& places, int first,
-                                                            Offsets... others) {
+                                                            Offsets... other_offsets) {
   const auto corner = [&](int offset) {
     Point<Real>& moved = point_at(places.moved, offset);
     if (places.base == nullptr) return Corner<Real>{Vector3Of<Real>::Zero(), &moved, moved.w};
     const Point<Real>& base = point_at(places.base, offset);
     return Corner<Real>{base.vector() - point_at(places.base, first).vector(), &moved, base.w};
   };
-  return {corner(first), corner(others)...};
+  return {corner(first), corner(other_offsets)...};
 }
 
 /// C = |p_a - p_b| - rest_length, ∇_a C = n, ∇_b C = -n (Müller et al. 2007, §3.2).
@@ -169,7 +169,7 @@ std::array<Real, N> inverse_masses(const std::array<Corner<Real>, N>& corners) {
   return w;
 }
 
-/// m, no bound on the move of a corner: for distances, whose correction is never longer than C.
+/// No bound on the move of a corner, m. For distances, whose correction is never longer than C.
 template <class Real>
 inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
 

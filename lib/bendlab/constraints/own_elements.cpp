@@ -35,7 +35,7 @@ double size_of(std::span<const double> corners) {
   return std::sqrt(square);
 }
 
-// The elements of a group, evaluated where their vertices are.
+// The values and gradients of a group's elements at the positions of their vertices.
 struct Evaluated {
   std::vector<double> corners, values, gradients;
 
@@ -64,7 +64,7 @@ struct Evaluated {
   }
 
  private:
-  // U is ½ C² of C = √(2 U); at its minimum it has no direction.
+  // An energy U is ½ C² with C = √(2 U). At the minimum of U the gradient has no direction.
   void as_constraints() {
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = values[i] > 0 ? std::sqrt(2 * values[i]) : std::nan("");
@@ -96,7 +96,7 @@ OwnValues evaluate(const OwnElements& list, const Positions& positions) {
 }
 
 std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions) {
-  constexpr double relative_step = 1e-6;  // of an element's size: its square is rounding
+  constexpr double relative_step = 1e-6;  // of an element's size; the square of the step is rounding
   const std::vector<int> all = all_of(list);
   const std::vector<double> corners = corners_of(list, positions);
   const std::size_t width = 3 * list.arity;
@@ -120,7 +120,7 @@ std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const P
             (gradients[1][c * width + j] - gradients[0][c * width + j]) / (2 * step[c]);
     }
   }
-  for (Eigen::MatrixXd& each : second) each = (0.5 * (each + each.transpose())).eval();
+  for (Eigen::MatrixXd& matrix : second) matrix = (0.5 * (matrix + matrix.transpose())).eval();
   return second;
 }
 
@@ -139,7 +139,7 @@ template <class Real>
 OwnBatch<Real> make_own_batch(OwnElements list, BatchOrder order) {
   OwnBatch<Real> batch;
   batch.count = list.size();
-  // What shares no vertex within a colour is evaluated at once; else one after another.
+  // Elements of a colour that share no vertex are evaluated together, all other elements one after another.
   const auto add = [&](std::size_t first_stack, std::size_t last_stack) {
     std::vector<int> group;
     for (std::size_t stack = first_stack; stack < last_stack; ++stack)

@@ -1,6 +1,6 @@
-// Elements of a function that the library does not know: a model of one's own evaluates it, for many elements
-// at once. The kinds of kinds.hpp have kernels and are 10 to 100 times faster; these need no new kind, may
-// have any number of vertices, and may state an energy instead of a constraint.
+// Own elements: a model of the program provides the function that evaluates them, many elements at once. Own
+// elements need no new kind, may have any number of vertices, and may state an energy instead of a
+// constraint. The kinds of kinds.hpp have kernels and are 10 to 100 times faster.
 #pragma once
 
 #include <memory>
@@ -13,22 +13,23 @@
 
 namespace bendlab {
 
-/// A constraint C, whose energy is ½ C² / α, or an energy U, which counts as U / α. It may not depend on
-/// where the element is: single precision passes positions relative to another origin.
+/// A constraint C, whose energy is ½ C² / α, or an energy U, which counts as U / α. It must not depend on
+/// where the element is, because single precision passes positions relative to another origin.
 class ElementFunction {
  public:
   virtual ~ElementFunction() = default;
   virtual std::string_view name() const = 0;  ///< in run files
   virtual bool is_energy() const { return false; }
-  /// C (or U) and its gradient of the elements `which`, whose corners are `corners`, #which by arity by 3, m.
-  /// Fills `values`, #which, and `gradients`, in the shape of `corners`. An element whose value is not finite
-  /// does not act (it has collapsed). May throw; a step that calls it then throws the same.
+  /// Computes C (or U) and its gradient for the elements `which`, whose corners are `corners`, #which by
+  /// arity by 3, m. Fills `values`, #which, and `gradients`, in the shape of `corners`. An element whose
+  /// value is not finite does not act (it has collapsed). May throw; the step that calls evaluate() then
+  /// throws the same exception.
   virtual void evaluate(std::span<const int> which, std::span<const double> corners, std::span<double> values,
                         std::span<double> gradients) const = 0;
 };
 
 struct OwnElements {
-  std::shared_ptr<const ElementFunction> function;  ///< null: there are none
+  std::shared_ptr<const ElementFunction> function;  ///< null: there are no own elements
   std::size_t arity = 0;
   std::vector<int> vertices;     ///< #C by arity
   std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
@@ -47,10 +48,10 @@ OwnValues evaluate(const OwnElements& list, const Positions& positions);
 /// arity by 3 arity.
 std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions);
 
-/// J times the scene's compliance.
+/// Elastic energy in J times the scene's compliance.
 double elastic_energy(const OwnElements& list, const Positions& positions);
 
-/// As the solver projects them. Vertices are permuted.
+/// Own elements as the solver projects them. Vertices are permuted.
 template <class Real>
 struct OwnBatch {
   OwnElements list;
@@ -59,7 +60,7 @@ struct OwnBatch {
   std::vector<double> multiplier;        ///< λ, #C, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   double k = 1;           ///< fraction per projection
-  double compliance = 0;  ///< times softness: α
+  double compliance = 0;  ///< α is this times the softness
   std::size_t count = 0;
 };
 
@@ -71,7 +72,7 @@ OwnBatch<Real> make_own_batch(OwnElements list, BatchOrder order);
 template <class Real>
 void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bool backwards);
 
-/// Adds -ψ' ∇C of each to `forces`, N; the compliance has to be above 0.
+/// Adds the force -ψ' ∇C of each element to `forces`, N. The compliance has to be above 0.
 template <class Real>
 void add_forces(const Point<Real>* points, Point<Real>* forces, const OwnBatch<Real>& batch);
 

@@ -1,6 +1,7 @@
-// Packs: arithmetic on as many constraints at once as the machine's registers hold, one per lane. They are
-// vectors of the compiler (GCC, Clang), so that one source compiles for 128, 256 and 512 bits. Points are
-// loaded whole and transposed, which was measured to be faster than element-wise loads and hardware gathers:
+// Packs: arithmetic on as many constraints at once as the machine's registers hold, one per lane. Packs are
+// vector types of the compiler (GCC, Clang), so that one source compiles for 128, 256 and 512 bits. Points
+// are loaded whole and transposed, which was measured to be faster than element-wise loads and hardware
+// gathers:
 //
 //   point of lane 0:  x y z w | of lane 4: …               x x x x | …   lanes 0, 1, 2, 3 | 4, 5, 6, 7 | …
 //            lane 1:  x y z w | of lane 5: …   transposed  y y y y | …
@@ -61,7 +62,8 @@ BENDLAB_INLINE void store(Real* to, const Pack<Real>& pack) {
   std::memcpy(to, &pack, sizeof(pack));
 }
 
-// The masked form: with the plain one GCC 12 warns of an uninitialised register in its own header.
+// Uses the masked form, because with the plain form GCC 12 warns of an uninitialised register in its own
+// header.
 BENDLAB_INLINE Pack<float> square_root(const Pack<float>& pack) {
 #if defined(__AVX512F__)
   return (Pack<float>)_mm512_maskz_sqrt_ps(0xffff, (__m512)pack);
@@ -121,7 +123,7 @@ BENDLAB_INLINE bool any(const Mask& mask) {
 #endif
 }
 
-/// In each lane x if it is larger, else y.
+/// In each lane the larger of x and y.
 template <class Real>
 BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
   return x > y ? x : y;
@@ -233,8 +235,8 @@ BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* of
 }
 
 // The inverse of rows_by_fours(). Storing a quarter of a 512-bit register takes a shuffle, storing half of a
-// 256-bit one does not. So the upper half is moved down once; the asm keeps GCC from merging that with the
-// extraction of quarters.
+// 256-bit register does not. So the upper half is moved down once; the asm keeps GCC from merging that with
+// the extraction of quarters.
 template <class Real>
 BENDLAB_INLINE void store_rows_by_fours(Point<Real>* points, const int* offsets, const Pack<Real>& row) {
   constexpr std::make_integer_sequence<int, 4> quad{};

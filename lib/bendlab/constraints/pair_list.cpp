@@ -15,23 +15,24 @@ PairList::PairList(const std::vector<value_type>& pairs) {
 
 void PairList::reserve(std::size_t count) {
   second_.reserve(count);
-  run_of_block_.reserve(count / block + 1);
+  section_of_block_.reserve(count / block + 1);
 }
 
 void PairList::push_back(const value_type& pair) {
-  if (runs_.empty() || runs_.back().vertex != pair[0])
-    runs_.push_back({.vertex = pair[0], .begin = static_cast<int>(size())});
-  if (size() % block == 0) run_of_block_.push_back(static_cast<int>(runs_.size()) - 1);
+  if (sections_.empty() || sections_.back().vertex != pair[0])
+    sections_.push_back({.vertex = pair[0], .begin = static_cast<int>(size())});
+  if (size() % block == 0) section_of_block_.push_back(static_cast<int>(sections_.size()) - 1);
   second_.push_back(pair[1]);
 }
 
 bool PairList::ascends() const {
-  return std::is_sorted(runs_.begin(), runs_.end(),
-                        [](const Run& l, const Run& r) { return l.vertex < r.vertex; });
+  return std::is_sorted(sections_.begin(), sections_.end(),
+                        [](const Section& l, const Section& r) { return l.vertex < r.vertex; });
 }
 
 std::size_t PairList::memory_bytes() const {
-  return second_.size() * sizeof(int) + runs_.size() * sizeof(Run) + run_of_block_.size() * sizeof(int);
+  return second_.size() * sizeof(int) + sections_.size() * sizeof(Section) +
+         section_of_block_.size() * sizeof(int);
 }
 
 }  // namespace bendlab

@@ -1,13 +1,14 @@
-// A list of vertex pairs in half the memory of two numbers each: there may be a hundred million.
+// A list of vertex pairs in half the memory of two numbers per pair, because there may be a hundred million
+// pairs.
 //
-// Models list the springs of one vertex after another. So the first vertices come in runs, each of which is
-// stored once:
+// Models list all springs of one vertex, then all springs of the next. So the list consists of sections of
+// pairs with the same first vertex, and this vertex is stored once per section:
 //
 //   pairs    (3,7) (3,8) (3,12) (4,8) (4,9) …
 //   second     7     8     12     8     9   …
-//   runs       3 from pair 0,     4 from pair 3, …
+//   sections   3 from pair 0,     4 from pair 3, …
 //
-// Any list can be stored. One whose neighbours have different first vertices takes 12 bytes a pair.
+// Any list can be stored. If neighbouring pairs have different first vertices, a pair takes 12 bytes.
 #pragma once
 
 #include <array>
@@ -34,13 +35,13 @@ class PairList {
   value_type operator[](std::size_t index) const { return {first(index), second_[index]}; }
   int first(std::size_t index) const;
   int second(std::size_t index) const { return second_[index]; }
-  /// Whether no first vertex is below that of the pair before.
+  /// Whether first vertices never decrease along the list.
   bool ascends() const;
 
   bool operator==(const PairList&) const = default;
   std::size_t memory_bytes() const;
 
-  /// Goes through the pairs. They are made when they are read, so there are no references to them.
+  /// Goes through the pairs. A pair is made when it is read, so there are no references to pairs.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -63,32 +64,32 @@ class PairList {
   Iterator end() const { return {*this, size()}; }
 
  private:
-  struct Run {
+  struct Section {
     int vertex;
     int begin;  // its first pair
-    bool operator==(const Run&) const = default;
+    bool operator==(const Section&) const = default;
   };
-  // A pair's run is among the few of its block.
+  // The section of a pair is among the few sections of its block.
   static constexpr std::size_t block = 64;
 
   std::vector<int> second_;
-  std::vector<Run> runs_;
-  std::vector<int> run_of_block_;  // of the first pair of each block
+  std::vector<Section> sections_;
+  std::vector<int> section_of_block_;  // section of the first pair of each block
 };
 
 inline int PairList::first(std::size_t index) const {
   const std::size_t at = index / block;
-  auto low = static_cast<std::size_t>(run_of_block_[at]);
-  std::size_t high =
-      at + 1 < run_of_block_.size() ? static_cast<std::size_t>(run_of_block_[at + 1]) : runs_.size() - 1;
-  while (low < high) {  // the last of these runs that begins at the pair or before
+  auto low = static_cast<std::size_t>(section_of_block_[at]);
+  std::size_t high = at + 1 < section_of_block_.size() ? static_cast<std::size_t>(section_of_block_[at + 1])
+                                                       : sections_.size() - 1;
+  while (low < high) {  // the last of these sections that begins at the pair or before it
     const std::size_t middle = (low + high + 1) / 2;
-    if (static_cast<std::size_t>(runs_[middle].begin) <= index)
+    if (static_cast<std::size_t>(sections_[middle].begin) <= index)
       low = middle;
     else
       high = middle - 1;
   }
-  return runs_[low].vertex;
+  return sections_[low].vertex;
 }
 
 }  // namespace bendlab

@@ -25,8 +25,8 @@ using Points = LargeArray<Point<Real>>;
 /// The positions that projections change: `moved` if `base` is null, else base + moved (split places). Split
 /// places have their inverse masses in `base`, and 0 in moved.w.
 ///
-/// Single precision needs the sum: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps a
-/// second, far below the last digit of a position near 1 m. Constraints depend on differences. The difference
+/// Single precision needs the sum: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps in
+/// 1/60 s, far below the last digit of a position near 1 m. Constraints depend on differences. The difference
 /// of two neighbours' bases is exact to the last digit of an edge, not of a position, and `moved`, which a
 /// substep adds to it, keeps its own digits.
 template <class Real>
@@ -38,7 +38,7 @@ struct Places {
   Places(const Point<Real>* at, Point<Real>* displacements) : base(at), moved(displacements) {}
 };
 
-/// For a parameter from which Real is not deduced, so that an array of points converts to it.
+/// For a function parameter from which Real is not deduced, so that an array of points converts to it.
 template <class Real>
 using PlacesOf = std::type_identity_t<Places<Real>>;
 

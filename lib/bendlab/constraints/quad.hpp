@@ -1,4 +1,4 @@
-// A point's four numbers as one vector of the compiler (GCC, Clang): the same on every processor.
+// A point's four numbers as a vector type of the compiler (GCC, Clang), which is the same on every processor.
 #pragma once
 
 #include <cstring>

@@ -16,7 +16,7 @@ struct QuadraticBend {
   /// K_0 … K_3, |Kx| of the rest shape in m, rest length of the edge in m.
   static constexpr std::size_t rest_values = 6;
 
-  /// m (see largest_move).
+  /// Size at rest, m (see largest_move).
   template <class Real>
   static Real rest_size(const std::array<Real, 6>& rest) {
     return rest[5];

@@ -1,4 +1,4 @@
-// What lies in a lane: one hinge of QuadraticBend (quadratic_bend.hpp, with the scalar code).
+// What lies in a lane: one hinge of QuadraticBend (quadratic_bend.hpp has the oracle).
 //
 //       p2            p[0] … p[3]         its corners: packs of x, y, z and of w = 1/m
 //      /  \           rest[0] … rest[3]   K_0 … K_3

@@ -1,4 +1,4 @@
-// What a step works on: the cloth's state, the ordered constraints, and the passes that act on them.
+// The data of a step: the cloth's state, the ordered constraints, and the passes that act on both.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,8 +43,8 @@ struct State {
   Points<Real> position;  ///< w holds the inverse mass, 1/kg (0: pinned)
   Points<Real> previous;  ///< positions at the start of the substep
   Points<Real> velocity;  ///< m/s
-  /// Only in single precision under pbd, else empty: what the last digits of positions (between substeps) and
-  /// velocities do not hold. The exact positions and velocities are the sums with these.
+  /// The rounding errors of positions (between substeps) and velocities: position + position_remainder is the
+  /// exact position, and likewise for velocities. Empty except in single precision under pbd.
   Points<Real> position_remainder, velocity_remainder;
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -62,7 +62,7 @@ struct State {
     detail::store_point<Real>(velocity[vertex], v);
   }
 
-  /// The contacts that obstacles found in this iteration; only if a listed effect uses them.
+  /// The contacts that obstacles found in this iteration; empty unless a listed effect uses contacts.
   std::vector<Contact<Real>> contacts;
 };
 
@@ -102,8 +102,8 @@ struct PassContext {
 /// with the passes of `project`.
 enum class Stage {
   force,      ///< before prediction: v += h a
-  damp,       ///< before prediction, on the velocities with forces
-  predicted,  ///< on the predicted positions, once: moves pins, finds what will be near
+  damp,       ///< before prediction, on the velocities after `force`
+  predicted,  ///< on the predicted positions, once: moves pins, finds parts that will be near
   project,    ///< on positions, after strain and bending in each iteration
   contact,    ///< on positions, after `project`, with the contacts found there
   velocity,   ///< after the velocities were updated from the projected positions
@@ -118,13 +118,14 @@ struct Pass {
   std::string name;
   Stage stage = Stage::force;
   std::function<void(PassContext<Real>&)> run;
-  /// Of a pass that keeps something from one substep to the next: writes or reads it. One pass of an effect
-  /// is enough.
+  /// For a pass that keeps data from one substep to the next: writes or reads these data. It is enough if one
+  /// pass of an effect has this function.
   std::function<void(Archive&)> archive;
-  /// Of a pass that only slows vertices, m v' = -drag v: the drag in kg/s, #V, permuted. An implicit step
-  /// takes it into its equations and does not run the pass.
+  /// For a pass that only slows vertices, m v' = -drag v: the drag in kg/s, #V, permuted. An implicit step
+  /// takes the drag into its equations and does not run the pass.
   std::vector<double> drag;
-  /// Of Coulomb's friction where obstacles push: an implicit step takes it over in the same way.
+  /// For Coulomb friction where obstacles push: an implicit step takes the friction into its equations in the
+  /// same way.
   std::optional<FrictionCoefficients> friction;
 };
 

@@ -6,7 +6,7 @@
 //  a-----b      λ           λ      λ      λ          multipliers[4]: warp, weft, shear, area (XPBD)
 //
 // The four terms are projected one after another while the triangle stays in registers (strain_terms.hpp).
-// The scalar code beside it: stretch_constraint(), shear_constraint() and area_constraint() in oracle.hpp.
+// The oracle (scalar code): stretch_constraint(), shear_constraint() and area_constraint() in oracle.hpp.
 #include <array>
 #include <type_traits>
 
@@ -16,8 +16,8 @@
 namespace bendlab {
 namespace {
 
-// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
-// either.
+// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if the rest shape has
+// no direction either.
 template <class Real, StrainForm form, bool split, class TermOf, class Gradient>
 BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const TermOf& of,
                                            const Corners<Real, split>& t, const StrainBatch<Real>& batch,
@@ -39,7 +39,7 @@ BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const Term
   return term;
 }
 
-// What the projections of a triangle's four terms share.
+// The data that the projections of a triangle's four terms share.
 template <class Real>
 struct TriangleLanes {
   const StrainBatch<Real>& batch;
@@ -47,17 +47,19 @@ struct TriangleLanes {
   RestInverse<Real> q;
   Pack<Real> alpha, stretch_alpha;                        // XPBD: α̃
   std::array<Pack<Real>, 4> multipliers{};                // XPBD: λ
-  PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are
-  Pack<Real> least_weight;  // Σ w|∇C|² / Σ|∇C|² of a gradient that is more than rounding (see least_lever)
-  Pack<Real> way{};         // over all terms so far: no corner moved farther than √(way · largest w)
-  Pack<Real> allowed_way{};  // the same over the squares of the sizes that the term may move a corner by
+  PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are defined
+  // Least Σ w|∇C|² / Σ|∇C|² of a gradient that is not just rounding (see least_lever).
+  Pack<Real> least_weight;
+  Pack<Real> way{};  // over all terms so far: no corner moved farther than √(way · largest w)
+  // As `way`, but each term is divided by the square of the sizes that it may move a corner by.
+  Pack<Real> allowed_way{};
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
   // One projection of one term: PBD with the fraction k, or XPBD with a = α̃. `careful`: collapsed lanes take
-  // the gradient of their rest shape, and moves are bounded. Otherwise `defined` and `way` tell whether that
-  // is needed.
+  // the gradient of their rest shape, and moves are bounded. Otherwise `defined`, `way` and `allowed_way`
+  // record whether a careful projection is needed.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
   BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
@@ -96,7 +98,7 @@ struct TriangleLanes {
     term.gradient.add(t, change, t);
   }
 
-  // Exact for two equal sides at a right angle, else an underestimate.
+  // The square of the size at rest: exact for two equal sides at a right angle, else an underestimate.
   BENDLAB_INLINE Pack<Real> rest_size_squared() const { return 2 / squared_inverses(); }
   BENDLAB_INLINE Pack<Real> squared_inverses() const {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
@@ -157,7 +159,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   const std::size_t count = batch.a.size();
   Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
-  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|), and four times that for S_ii - 1 = 2 E_ii.
+  // α̃ = compliance / (A0 h²) with A0 = 1 / (2 |det Q⁻¹|). For S_ii - 1 = 2 E_ii it is four times as large.
   if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
@@ -179,7 +181,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   return true;
 }
 
-// A function of its own, so that the rare case takes no registers from the usual one.
+// A separate function, so that the rare case takes no registers from the usual case.
 template <class Real, StrainForm form, bool compliant, bool split>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, StrainBatch<Real>& batch,
                                          std::size_t lane, Real twice_compliance_over_h2) {
@@ -209,7 +211,7 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, T
   term.gradient.add(velocity, acts ? -k * term.gradient.rate(velocity) / (acts ? sum : one) : zero, t);
 }
 
-// A mass of 1 in every lane, for what is added regardless of masses.
+// A mass of 1 in every lane, to add forces, which do not depend on masses.
 template <class Real>
 struct UnitMasses {
   struct {
@@ -266,7 +268,7 @@ void with_form(StrainForm chosen, const Action& action) {
 
 }  // namespace
 
-// No two triangles of a stack share a vertex, so the order within it does not matter.
+// No two triangles of a stack share a vertex, so the order within a stack does not matter.
 template <class Real>
 void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {

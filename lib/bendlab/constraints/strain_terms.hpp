@@ -1,6 +1,6 @@
 // The terms of a triangle that the strain kernel projects (stretch, shear, area): values and gradients for
-// the lanes of a pack. Only strain_kernel.cpp includes it. It is in an unnamed namespace, because GCC allots
-// registers differently to templates that other sources may share.
+// the lanes of a pack. Only strain_kernel.cpp includes this header. Its code is in an unnamed namespace,
+// because GCC allots registers differently to templates that other sources may share.
 #pragma once
 
 #include "bendlab/constraints/elements.hpp"
@@ -14,8 +14,8 @@ namespace {
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
 
-// With split places the corners hold the moves, and first_base and second_base the edges of the bases, so
-// that neither loses digits.
+// With split places a, b and c hold the moves of the corners, and first_base and second_base hold the edges
+// of the bases, so that neither loses digits.
 template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;
@@ -76,8 +76,8 @@ struct PerTriangle {
   }
 };
 
-// Two forms of a gradient: one direction scaled for each corner (stretch), or a vector per corner (shear,
-// area).
+// A gradient has one of two forms: one direction with a factor per corner (stretch), or a vector per corner
+// (shear, area).
 template <class Real>
 struct Scaled {
   PackVector<Real> direction;
@@ -117,7 +117,7 @@ struct PerCorner {
 };
 
 // One term as C = ratio · scale and ∇C = scale · gradient. PBD's correction C / Σ w|∇C|² ∇C is then ratio / Σ
-// w|gradient|² gradient: without the scale it saves most square roots and divisions. `defined` is a lane
+// w|gradient|² gradient: without the scale, which saves most square roots and divisions. `defined` is a lane
 // mask.
 template <class Real, class Gradient>
 struct Term {
@@ -151,7 +151,7 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, c
   const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
   const auto defined = in_bounds<Real>(squared);
   if constexpr (form != StrainForm::green) {         // C = l - 1, ∇C = f / l
-    const Pack<Real> length = square_root(squared);  // without waiting for the comparison
+    const Pack<Real> length = square_root(squared);  // does not wait for the comparison
     return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
   } else {
     return {squared - one, one, {f, squared, gb + gb, gc + gc}, defined};
@@ -231,7 +231,7 @@ struct Stretch {
     const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
     return collapsed<Real>(dot(f, f));
   }
-  // C = f·d - 1, however another term changed f; d is f at rest, of length 1.
+  // C = f·d - 1, even if another term changed f. d is f at rest and has length 1.
   template <StrainForm, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>& at_rest) const {
     const PackVector<Real> d = combination<Real>(gb, at_rest.first_edge(), gc, at_rest.second_edge());
@@ -250,7 +250,7 @@ struct Shear {
   BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
     return shear<Real, form, split>(t, q);
   }
-  // If warp and weft are parallel.
+  // For warp and weft that are parallel.
   template <StrainForm form, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
     const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();

@@ -17,16 +17,17 @@ inline constexpr Real collapsed_ratio = 16 * std::numeric_limits<Real>::epsilon(
 template <class Real>
 inline constexpr Real parallel_sine_squared = Real(1e-6);
 
-/// S_11 S_22 up to which plain shear of parallel warp and weft opens along the rest shape. Above it the value
-/// |S_12| is that of a stretched triangle, and with the rest shape's gradient it would throw the triangle.
+/// The largest S_11 S_22 at which StrainForm::green opens parallel warp and weft along the rest shape. Above
+/// it |S_12| is the value of a stretched triangle, and with the rest shape's gradient such a value would
+/// throw the triangle.
 template <class Real>
 inline constexpr Real open_product = 4;
 
-/// Σ w|∇C|² over the free corners as a share of max w · Σ|∇C|² over all corners: 64 ε of the whole gradient,
-/// squared. Below it the gradient is rounding, and the constraint does not act. That happens if a corner's
-/// lever vanishes by geometry, for example if the only free corner is one end of a hinge's edge and both
-/// triangles have their right angle at the other end. C / |∇C| is then rounding over rounding and would throw
-/// the corner anywhere.
+/// The least Σ w|∇C|² over the free corners as a share of max w · Σ|∇C|² over all corners: 64 ε of the whole
+/// gradient, squared. Below it the gradient is rounding, and the constraint does not act. That happens if a
+/// corner's lever vanishes by geometry, for example if the only free corner is one end of a hinge's edge and
+/// both triangles have their right angle at the other end. C / |∇C| is then rounding over rounding and would
+/// throw the corner anywhere.
 template <class Real>
 inline constexpr Real least_lever =
     Real(64 * 64) * std::numeric_limits<Real>::epsilon() * std::numeric_limits<Real>::epsilon();
@@ -37,11 +38,12 @@ inline constexpr Real least_lever =
 /// projection is meaningless.
 inline constexpr int largest_move = 2;
 
-/// The same for the published shear, whose formula overshoots by up to 1 / sin (see parallel_sine_squared).
+/// The same limit for the published shear, whose formula overshoots by up to 1 / sin (see
+/// parallel_sine_squared).
 inline constexpr int largest_published_move = 1000;
 
-/// The largest square of an element's ratio to its rest value that is corrected. Beyond it, at a billion
-/// times the rest value in float, powers that projections take would overflow.
+/// An element is corrected only if the square of its ratio to the rest value is below this limit. Beyond it
+/// (a billion times the rest value in float) the powers that projections compute would overflow.
 template <class Real>
 inline constexpr Real overgrown_square = sizeof(Real) == 4 ? Real(1e18) : Real(1e150);
 

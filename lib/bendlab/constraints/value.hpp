@@ -9,10 +9,10 @@
 
 namespace bendlab {
 
-/// C and ∇C of a constraint on N vertices. `defined` is false if the gradient has no direction. The value is
-/// then the one to correct along the gradient of the rest shape, so that a collapsed element opens again. 0:
-/// it cannot be corrected (a hinge without an angle, which its triangles' strain opens; an overgrown
-/// element).
+/// C and ∇C of a constraint on N vertices. `defined` is false if the gradient has no direction. `value` is
+/// then the value to correct along the gradient of the rest shape, so that a collapsed element opens again.
+/// If that value is 0, the element cannot be corrected: it is a hinge without an angle, which the strain of
+/// its triangles opens, or an overgrown element.
 template <class Real, std::size_t N>
 struct ConstraintValue {
   Real value = 0;

@@ -28,7 +28,8 @@ constexpr std::array own_fields = {
     field<&Capsule::b>({.name = "b", .unit = "m", .meaning = "the other end"}),
     field<&Capsule::radius>({.name = "radius",
                              .unit = "m",
-                             .meaning = "the capsule is all points within it of the segment",
+                             .meaning = "the capsule consists of all points within this distance of the "
+                                        "segment",
                              .minimum = 0,
                              .above = true}),
 };

@@ -48,7 +48,7 @@ bool idle(const ConstraintDamping& settings) {
 constinit const EffectKind ConstraintDamping::kind{
     .name = "constraint_damping",
     .summary = "damps the rate of change of every constraint; keeps both momenta",
-    .source = "Müller et al. 2014, eq. 23 (the same for equal masses; dissipates for any masses)",
+    .source = "Müller et al. 2014, eq. 23 (identical for equal masses; dissipates energy for any masses)",
     .settings = table_of<ConstraintDamping>(fields),
     .needs_projection = true,
     .keeps_momentum = true,

@@ -1,5 +1,6 @@
-// Disc: a round table top. It holds all points within half its height of a flat disc, whose radius is smaller
-// by half the height. So its rim is half a circle, and the cloth has no edge to catch on.
+// Disc: a round table top. It consists of all points within half its height of a flat disc. The flat disc's
+// radius is smaller than the table top's by half the height. So the profile of the rim is half a circle, and
+// the cloth has no edge to catch on.
 #include "bendlab/effects/revolved.hpp"
 #include "bendlab/effects/round_obstacle.hpp"
 
@@ -10,7 +11,7 @@ template <class Real>
 struct FlatDisc {
   Vector3Of<Real> centre, axis;
   Real radius;
-  std::array<Vector3Of<Real>, 0> tips{};  // none: edges of the cloth meet the rim before triangles do
+  std::array<Vector3Of<Real>, 0> tips{};  // no tips: edges of the cloth meet the rim before triangles do
 
   Vector3Of<Real> nearest(const Vector3Of<Real>& x) const {
     const Vector3Of<Real> arm = x - centre, within = arm - axis.dot(arm) * axis;
@@ -30,15 +31,16 @@ constexpr std::array own_fields = {
                           .unit = "m",
                           .meaning = "centre of the table top, half its height below the surface"}),
     field<&Disc::axis>(
-        {.name = "axis", .unit = "1", .meaning = "of the disc and its spin; of any length but zero"}),
+        {.name = "axis", .unit = "1", .meaning = "axis of the disc and of its spin; any length but zero"}),
     field<&Disc::radius>({.name = "radius",
                           .unit = "m",
-                          .meaning = "of the table top, rim included",
+                          .meaning = "radius of the table top, rim included",
                           .minimum = 0,
                           .above = true}),
     field<&Disc::height>({.name = "height",
                           .unit = "m",
-                          .meaning = "of the table top, at most twice the radius; the rim is half a circle",
+                          .meaning = "height of the table top, at most twice the radius; the rim's profile "
+                                     "is half a circle",
                           .minimum = 0,
                           .above = true}),
 };
@@ -58,14 +60,14 @@ std::vector<Pass<Real>> compile(const Disc& settings, const EffectInput& input) 
   const double half_height = settings.height / 2;
   if (half_height > settings.radius)
     throw std::invalid_argument(
-        "height is more than twice the radius; use a capsule for what is taller than wide");
+        "height is more than twice the radius; use a capsule for a body that is taller than wide");
   return {{"disc", Stage::project,
            obstacle::RoundObstacle<Real, FlatDisc>(
                settings, input, {settings.centre, steady.axis, settings.radius - half_height}, half_height,
                steady)}};
 }
 
-// A flat top and bottom, and half a circle as rim.
+// A flat top and bottom, and a rim whose profile is half a circle.
 TriangleMesh surface(const Disc& settings, const SurfaceInput&) {
   const double half_height = settings.height / 2, flat = settings.radius - half_height;
   std::vector<ProfilePoint> profile = {{0, -half_height}};

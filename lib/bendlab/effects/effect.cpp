@@ -5,7 +5,7 @@
 namespace bendlab {
 namespace {
 
-// A build may leave effects out by naming those that it has.
+// A build that leaves effects out names the remaining effects in BENDLAB_EFFECTS.
 #ifdef BENDLAB_EFFECTS
 constexpr auto listed = listed_kinds<EffectKind, BENDLAB_EFFECTS>;
 #else

@@ -23,10 +23,10 @@ namespace bendlab {
 struct EffectInput {
   const RestMesh& rest;
   const Pins& pins;
-  std::span<const int> permutation;  ///< #V, the index of each vertex in State's arrays; empty: its own
+  std::span<const int> permutation;  ///< #V: each vertex's index in State's arrays; empty: unchanged
 
-  bool contacts_used = false;         ///< an effect or the method uses them: obstacles fill State::contacts
-  std::filesystem::path folder = {};  ///< files are relative to it
+  bool contacts_used = false;         ///< an effect or the method reads State::contacts: obstacles fill it
+  std::filesystem::path folder = {};  ///< files are relative to this folder
 
   std::size_t permuted(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
@@ -36,13 +36,14 @@ struct EffectInput {
 
 /// What an obstacle's surface is made from.
 struct SurfaceInput {
-  std::filesystem::path folder;       ///< files are relative to it
-  const std::string* file = nullptr;  ///< the bytes of the obstacle's file, instead of reading it
-  Vector3 centre = Vector3::Zero();   ///< of the cloth's rest box, m
-  double size = 1;                    ///< of the cloth's rest box, m
+  std::filesystem::path folder;       ///< files are relative to this folder
+  const std::string* file = nullptr;  ///< bytes of the obstacle's file; null: the file is read
+  Vector3 centre = Vector3::Zero();   ///< centre of the cloth's rest box, m
+  double size = 1;                    ///< size of the cloth's rest box, m
 };
 
-/// How an obstacle moves: with a velocity, and a spin about an axis through a point that moves along.
+/// How an obstacle moves: with a velocity, and a spin about an axis. The axis goes through the pivot, which
+/// moves with the obstacle.
 struct SteadyMotion {
   Vector3 velocity = Vector3::Zero();  ///< m/s
   Vector3 pivot = Vector3::Zero();     ///< m, in the world at time 0
@@ -52,20 +53,20 @@ struct SteadyMotion {
   bool rests() const { return velocity.isZero(0) && spin == 0; }
 };
 
-/// What a doubt about settings is seen by.
+/// What EffectKind::doubt needs to judge an effect's settings.
 struct DoubtInput {
   const RestMesh& rest;
   double density;     ///< kg/m², mean
   double gravity;     ///< m/s²
   double substep;     ///< s
-  int substeps;       ///< of a time step
+  int substeps;       ///< per time step
   std::string where;  ///< "/effects/2 (wind)"
 };
 
-/// Settings that will not do what their author means, for a warning.
+/// A warning about settings that will not do what their author intends.
 struct Doubt {
-  std::string text;   ///< with a remedy
-  double size = 0;    ///< the larger the worse; 0: it has none
+  std::string text;   ///< the warning, with a remedy
+  double size = 0;    ///< the larger the worse; 0: the doubt has no size
   std::string shown;  ///< the size in words
 };
 
@@ -73,51 +74,52 @@ struct EffectKind;
 /// An effect with its settings: `Effect wind = Wind{.velocity = {0, 3, 0}};`
 using Effect = Chosen<EffectKind>;
 
-/// A member of the family: its traits, and what it does. Functions take the effect's settings.
+/// A kind of effect: its traits and its functions. The functions take the effect's settings.
 struct EffectKind {
   std::string_view name;
   std::string_view summary;
   std::string_view source;  ///< paper and equation
   FieldTable settings;
 
-  /// Its passes act on projected constraints or between projections: only for solver methods that project.
+  /// Its passes act on projected constraints or between projections, so only methods that project can use it.
   bool needs_projection = false;
-  bool helps_projection = false;    ///< needs it, and has no other purpose: in other methods it does nothing
-  bool acts_in_iterations = false;  ///< implicit methods take it, as part of each iteration, nevertheless
+  bool helps_projection = false;    ///< only helps projections: does nothing in methods that do not project
+  bool acts_in_iterations = false;  ///< implicit methods can use it nevertheless, in each iteration
   bool uses_contacts = false;       ///< reads State::contacts, at Stage::contact
   bool repeatable = false;          ///< a scene may list it more than once
-  /// Its force depends on velocities: it acts first, on those that the last substep ended with, wherever the
-  /// scene lists it. Behind gravity it would see a speed g h of cloth that rests.
+  /// Its force depends on velocities. It acts first, wherever the scene lists it, so that it sees the
+  /// velocities at the end of the last substep. After gravity it would see a speed g h of cloth at rest.
   bool acts_first = false;
   bool needs_pins = false;      ///< does nothing where no vertex is pinned
   bool moves_pins = false;      ///< prescribes where pinned vertices are
-  bool keeps_momentum = false;  ///< linear, but for what a uniform acceleration adds
+  bool keeps_momentum = false;  ///< linear momentum, except for what a uniform acceleration adds
   bool keeps_angular_momentum = false;
-  bool damps = false;          ///< takes energy, and has no other purpose: at rest it does nothing
-  bool bounds_strain = false;  ///< holds the cloth together, and at rest may carry what its membrane carries
-  bool force_follows_pose = false;  ///< at rest, too: an equilibrium cannot be found without it
-  double vertex_seconds = 3e-9;     ///< of CPU, of a vertex and substep, about
+  bool damps = false;               ///< only takes energy from the cloth: does nothing at rest
+  bool bounds_strain = false;       ///< limits stretch; at rest it may carry loads in place of the membrane
+  bool force_follows_pose = false;  ///< also at rest: an equilibrium cannot be found without it
+  double vertex_seconds = 3e-9;     ///< approximate CPU time per vertex and substep, s
 
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const void* settings, const EffectInput&) = nullptr;
   std::vector<Pass<double>> (*compile_double)(const void* settings, const EffectInput&) = nullptr;
-  /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null:
-  /// never known.
+  /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null: not
+  /// known.
   bool (*idle)(const void* settings) = nullptr;
-  /// Whether it does work on the cloth, besides a uniform acceleration; null: never, or only as an obstacle
-  /// that moves.
+  /// Whether the effect does work on the cloth, apart from a uniform acceleration; null: it never does, or
+  /// only because it is an obstacle that moves.
   bool (*drives)(const void* settings) = nullptr;
-  /// The uniform acceleration that it adds, m/s²; null: none.
+  /// The uniform acceleration that the effect adds, m/s²; null: no such acceleration.
   Vector3 (*acceleration)(const void* settings) = nullptr;
-  /// The largest force on a cloth of that area (m²), N; null: it has none, or a bound is not known.
+  /// The largest force on a cloth of the given area (m²), N; null: no force, or no known bound.
   double (*largest_force)(const void* settings, double area) = nullptr;
-  /// How it moves, of an obstacle: a body that cloth may lie on. Null: it is none.
+  /// How an obstacle, a body that cloth may lie on, moves; null: the effect is not an obstacle.
   SteadyMotion (*motion)(const void* settings) = nullptr;
-  /// The obstacle's surface at time 0, normals outward; null: it is none.
+  /// The obstacle's surface at time 0, normals outward; null: the effect is not an obstacle.
   TriangleMesh (*surface)(const void* settings, const SurfaceInput&) = nullptr;
-  /// What is doubtful about these settings in this scene; null: nothing ever is.
+  /// A warning about these settings in this scene, if they are doubtful; null: there is never a warning.
   std::optional<Doubt> (*doubt)(const void* settings, const DoubtInput&) = nullptr;
-  /// Of an added one: tells versions of its code apart, in run ids. Empty: the program's file does.
+  /// For an effect that the program added: distinguishes versions of its code in run ids. Empty: the
+  /// program's file distinguishes them.
   std::string_view code = {};
 
   bool is_obstacle() const { return motion != nullptr; }
@@ -131,33 +133,33 @@ struct EffectKind {
   }
 };
 
-/// The passes of an effect in a scene. Throws std::invalid_argument for settings that do not go together, or
-/// not with the scene.
+/// The passes of an effect in a scene. Throws std::invalid_argument for settings that contradict each other
+/// or the scene.
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Effect& effect, const EffectInput& input) {
   return effect.kind().compile<Real>()(effect.settings(), input);
 }
 
-/// Whether an effect does work on the cloth, besides a uniform acceleration.
+/// Whether an effect does work on the cloth, apart from a uniform acceleration.
 inline bool does_work(const Effect& effect) {
   const EffectKind& kind = effect.kind();
   return (kind.drives != nullptr && kind.drives(effect.settings())) ||
          (kind.is_obstacle() && !kind.motion(effect.settings()).rests());
 }
 
-/// Every registered effect: those of effects.hpp, then those that the program added.
+/// All registered effects: first the effects of effects.hpp, then the effects that the program added.
 std::span<const EffectKind* const> effects();
 
 /// The effect of that name, or nullptr.
 const EffectKind* find_effect(std::string_view name);
 
-/// Adds an effect of the program's own. See Registry::add().
+/// Adds an effect that the program defines. See Registry::add().
 void register_effect(const EffectKind& kind);
 void register_effect(const EffectKind&&) = delete;
-/// Takes one out that was added. Scenes that have it keep it.
+/// Removes an effect that was added. Scenes that use the effect keep it.
 void remove_effect(std::string_view name);
 
-/// The effects that the program added.
+/// Only the effects that the program added.
 std::span<const EffectKind* const> added_effects();
 
 }  // namespace bendlab

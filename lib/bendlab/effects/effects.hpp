@@ -1,6 +1,5 @@
-// Every effect as a value: its settings, with their defaults. Each one's file, <name>.cpp, says what its
-// settings mean, and what it does. A new effect is a struct and its name in the list below, one file and one
-// test.
+// Every effect as a struct: its settings with their defaults. The file <name>.cpp says what the settings mean
+// and what the effect does. A new effect is a struct and its name in the list below, one file and one test.
 #pragma once
 
 #include <string>
@@ -30,14 +29,14 @@ struct Tethers {
   enum class Distance { geodesic, straight };
 
   int per_vertex = 4;
-  double slack = 0;  ///< of the cloth's length
+  double slack = 0;  ///< fraction of the cloth's length
   Distance distance = Distance::geodesic;
   static const EffectKind kind;
 };
 
 struct ViscousDrag {
-  /// N s/m³: a sheet of 0.2 kg/m² falls flat at 2 m/s at most. (By the square law of air, ½ · 1.2 kg/m³ ·
-  /// 1.28 v², it is 1.6 m/s.)
+  /// N s/m³. A flat sheet of 0.2 kg/m² then falls at 2 m/s at most. (With the quadratic drag of air, ½ · 1.2
+  /// kg/m³ · 1.28 v², it would be 1.6 m/s.)
   double coefficient = 1;
   static const EffectKind kind;
 };
@@ -47,19 +46,19 @@ struct Wind {
   double air_density = 1.204;  ///< kg/m³
   double drag_coefficient = 1.28;
   double lift_coefficient = 1;
-  double gust_amplitude = 0;  ///< of the mean speed
+  double gust_amplitude = 0;  ///< fraction of the mean speed
   double gust_time = 0.5;     ///< s
   bool gusts_travel = false;
-  std::uint32_t seed = 1;  ///< of the gusts
+  std::uint32_t seed = 1;  ///< seed of the gusts
   static const EffectKind kind;
 };
 
 struct MovingPins {
   enum class Interpolation { linear, smooth };
 
-  std::vector<Place> vertices;  ///< none here and in indices: all pins move
+  std::vector<Place> vertices;  ///< all pins move if vertices and indices are empty
   std::vector<int> indices;
-  std::vector<double> times{0};  ///< s, of the keyframes
+  std::vector<double> times{0};  ///< s, times of the keyframes
   std::vector<double> offsets;   ///< m, three per keyframe
   std::vector<double> angles;    ///< degrees, one per keyframe
   Vector3 axis{0, 0, 1};
@@ -73,9 +72,9 @@ struct StrainLimiting {
   static const EffectKind kind;
 };
 
-/// What every obstacle has.
+/// Settings of every obstacle.
 struct Body {
-  double thickness = 0.005;   ///< m, which the cloth keeps from the surface
+  double thickness = 0.005;   ///< m, distance that the cloth keeps from the surface
   Vector3 velocity{0, 0, 0};  ///< m/s
 };
 
@@ -86,19 +85,19 @@ struct SpinningBody : Body {
 
 struct Plane : SpinningBody {
   Vector3 point{0, 0, 0};   ///< m
-  Vector3 normal{0, 0, 1};  ///< to the cloth's side
+  Vector3 normal{0, 0, 1};  ///< points to the cloth's side
   static const EffectKind kind;
 };
 
 struct Sphere : SpinningBody {
   Vector3 centre{0, 0, 0};  ///< m
   double radius = 0.25;     ///< m
-  Vector3 axis{0, 0, 1};    ///< of the spin
+  Vector3 axis{0, 0, 1};    ///< axis of the spin
   static const EffectKind kind;
 };
 
 struct Capsule : SpinningBody {
-  Vector3 a{-0.25, 0, 0}, b{0.25, 0, 0};  ///< m, its ends; it spins about the line between them
+  Vector3 a{-0.25, 0, 0}, b{0.25, 0, 0};  ///< m, ends of its segment, about which it spins
   double radius = 0.1;                    ///< m
   static const EffectKind kind;
 };
@@ -119,7 +118,7 @@ struct MeshObstacle : Body {
 };
 
 struct Friction {
-  double at_rest = 0.5;  ///< static
+  double at_rest = 0.5;  ///< static coefficient
   double kinetic = 0.4;
   static const EffectKind kind;
 };
@@ -129,7 +128,7 @@ struct SelfCollision {
   static const EffectKind kind;
 };
 
-/// In the order in which they are listed.
+/// All effects, in the order in which the program lists them.
 inline constexpr auto listed_effects =
     listed_kinds<EffectKind, Gravity, RigidDamping, ConstraintDamping, Tethers, ViscousDrag, Wind, MovingPins,
                  StrainLimiting, Plane, Sphere, Capsule, Disc, MeshObstacle, Friction, SelfCollision>;

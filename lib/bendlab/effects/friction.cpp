@@ -1,10 +1,10 @@
 // Friction: Coulomb's law where obstacles push the cloth.
 //
-// Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F the sum of all
-// friction. Friction cancels the sliding that is left, if |F| stays within μ_s D; otherwise |F| becomes μ_k
-// D. The sums go over the iterations of the substep: the first one pushes most, but a vertex that strain and
-// bending move later has to stick as well (like accumulated impulses, Catto 2005, §4.3). Methods that step
-// implicitly have friction among their forces (contact_forces.hpp).
+// Friction is computed per vertex and substep, from displacements: D is the sum of all pushes by obstacles so
+// far, F the sum of all friction so far. Friction cancels the sliding that is left if |F| stays within μ_s D;
+// otherwise |F| becomes μ_k D. The sums go over the iterations of the substep. The first iteration pushes
+// most, but a vertex that strain and bending move later has to stick as well (like accumulated impulses,
+// Catto 2005, §4.3). Implicit methods treat friction as a force instead (contact_forces.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,12 +21,14 @@ namespace {
 constexpr std::array fields = {
     field<&Friction::at_rest>({.name = "static",
                                .unit = "1",
-                               .meaning = "μ_s: nothing slides while friction is at most this times the push",
+                               .meaning = "μ_s: cloth does not slide while friction is at most μ_s times the "
+                                          "push",
                                .minimum = 0}),
     field<&Friction::kinetic>(
         {.name = "kinetic",
          .unit = "1",
-         .meaning = "μ_k: friction on what slides, per push; never more than what stops it",
+         .meaning = "μ_k: friction on sliding cloth is μ_k times the push, but not more than stops the "
+                    "sliding",
          .minimum = 0}),
 };
 
@@ -40,7 +42,7 @@ struct Grip {
   Vector pushed = Vector::Zero();   // Σ depth · normal
   Vector carried = Vector::Zero();  // Σ depth · carried
   Vector held = Vector::Zero();     // F, m
-  Vector normal = Vector::Zero();   // of the last push; friction moves no vertex against it
+  Vector normal = Vector::Zero();   // of the last push; friction moves no vertex into the obstacle
 };
 
 template <class Real>
@@ -83,7 +85,7 @@ class Gripping {
 
   bool hold(State<Real>& state, Grip<Real>& grip) const {
     const Real across = grip.pushed.norm();
-    if (!(across > 0)) return false;  // pushed from both sides alike: there is no tangent
+    if (!(across > 0)) return false;  // pushed equally from both sides: there is no tangent
     const Vector normal = grip.pushed / across;
     const auto tangential = [&](const Vector& v) -> Vector { return v - normal.dot(v) * normal; };
     Point<Real>& p = state.position[grip.vertex];
@@ -101,7 +103,7 @@ class Gripping {
   }
 
   Real static_, kinetic_;
-  double time_ = -1;  // s, of the substep that grips_ belongs to
+  double time_ = -1;  // s, time of the substep that grips_ belongs to
   std::vector<std::uint32_t> grip_of_;
   std::vector<Grip<Real>> grips_;
 };
@@ -122,8 +124,8 @@ bool idle(const Friction& settings) {
 std::optional<Doubt> doubt(const Friction& settings, const DoubtInput& input) {
   if (settings.kinetic <= settings.at_rest) return std::nullopt;
   return Doubt{
-      fmt::format("{}: kinetic, {:.3g}, is above static, {:.3g}, so that what slides is held more "
-                  "than what rests. Set static to at least {:.3g}",
+      fmt::format("{}: kinetic ({:.3g}) is above static ({:.3g}), so that sliding cloth has more friction "
+                  "than cloth at rest. Set static to at least {:.3g}",
                   input.where, settings.kinetic, settings.at_rest, settings.kinetic)};
 }
 

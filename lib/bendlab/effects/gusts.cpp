@@ -8,7 +8,7 @@
 namespace bendlab {
 namespace {
 
-// The n-th number of that seed, uniform in [-1, 1).
+// The n-th number of a seed's sequence, uniform in [-1, 1).
 double noise(std::uint64_t seed, std::uint64_t n) {
   return 2 * unit_interval(split_mix(seed, n)) - 1;
 }
@@ -17,10 +17,11 @@ double noise(std::uint64_t seed, std::uint64_t n) {
 
 Vector3 Gusts::at(double seconds) const {
   const double cell = std::floor(seconds / time), x = seconds / time - cell, s = x * x * (3 - 2 * x);
-  // Of a vertex that flew apart; no integer has its cell.
+  // A vertex that flew far away asks for a time whose cell is too large for an integer.
   if (!(std::abs(cell) < 0x1p62)) return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell)) * 3;
-  // The variance of a uniform value is 1/3; that of (1 - s) a + s b, averaged over x, is 26/35 of it.
+  // The variance of a uniform value is 1/3; the variance of (1 - s) a + s b, averaged over x, is 26/35 of
+  // that.
   const double scale = deviation * std::numbers::sqrt3 * std::sqrt(35.0 / 26.0);
   Vector3 gust;
   for (std::uint64_t axis = 0; axis < 3; ++axis)

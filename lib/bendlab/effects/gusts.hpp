@@ -1,4 +1,4 @@
-// Gusts: smooth noise in time about a steady wind, the same bits for the same seed on every machine.
+// Gusts: smooth noise in time that is added to a steady wind. A seed gives the same bits on every machine.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace bendlab {
 
-/// Each component is value noise of its own: independent uniform values at whole multiples of `time`, joined
-/// by 3 x² - 2 x³. Its mean is 0 and its standard deviation over time is `deviation`. It never exceeds 2.01
-/// deviations; values at least 2 `time` apart are independent.
+/// Each component is a separate value noise: independent uniform values at whole multiples of `time`,
+/// interpolated by 3 x² - 2 x³. Its mean is 0 and its standard deviation over time is `deviation`. It never
+/// exceeds 2.01 deviations; values at least 2 `time` apart are independent.
 struct Gusts {
   double deviation = 0;  ///< m/s
   double time = 1;       ///< s
   std::uint64_t seed = 0;
 
-  Vector3 at(double seconds) const;  ///< m/s; any time, negative ones too; NaN beyond 2⁶² times `time`
+  Vector3 at(double seconds) const;  ///< m/s; also at negative times; NaN beyond 2⁶² times `time`
 };
 
 }  // namespace bendlab

@@ -1,14 +1,15 @@
 // Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side
 // it came from).
 //
-// * Vertices are pushed out from the nearest point of the mesh. A vertex looks for it again only after it has
-//   moved as far as it was away: a vertex far from the mesh costs one comparison.
+// * Vertices are pushed out from the nearest point of the mesh. A vertex looks for that point again only
+//   after it has moved as far as it was away from the mesh, so that a vertex far from the mesh costs one
+//   comparison.
 // * A vertex that moves far in a substep, compared with the thickness, and meets the mesh is held outside the
 //   plane of the triangle that it met first.
 // * Edges of the cloth are tested against the mesh's ridges, and its triangles against the mesh's pointed
 //   corners. Pairs that are near are found once per substep, on the predicted positions.
 //
-// Not covered: edges and triangles are not followed through a substep. If one moves by more than the
+// Not covered: edges and triangles are not followed through a substep. If an edge moves by more than the
 // thickness and half its length, it may cut a corner of the mesh between its vertices.
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -32,7 +33,7 @@ constexpr std::array own_fields = {
          .names_file = true}),
     field<&MeshObstacle::scale>({.name = "scale",
                                  .unit = "1",
-                                 .meaning = "the file's coordinates are multiplied by it",
+                                 .meaning = "factor on the file's coordinates",
                                  .minimum = 0,
                                  .above = true}),
     field<&MeshObstacle::offset>(
@@ -66,14 +67,15 @@ std::optional<std::array<double, 2>> nearest_between(const Vector3& a, const Vec
   const Vector3 apart = a - b;
   const double aa = along.squaredNorm(), ab = along.dot(other), bb = other.squaredNorm();
   const double determinant = aa * bb - ab * ab;
-  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: vertices deal with it
+  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: left to vertices
   const double s = (ab * other.dot(apart) - bb * along.dot(apart)) / determinant;
   const double u = (aa * other.dot(apart) - ab * along.dot(apart)) / determinant;
   if (!(s > 0 && s < 1 && u > 0 && u < 1)) return std::nullopt;
   return std::array{s, u};
 }
 
-// Shared by the two passes of an obstacle. Coordinates are the mesh's: the obstacle stands still in them.
+// Shared by the two passes of an obstacle. Coordinates are relative to the mesh, so that the obstacle stands
+// still.
 template <class Real>
 class SurfaceContacts {
  public:
@@ -83,7 +85,7 @@ class SurfaceContacts {
         thickness_(settings.thickness),
         longest_(obstacle::longest_edge(input.rest)),
         contacts_used_(input.contacts_used),
-        asked_(static_cast<std::size_t>(input.rest.vertex_count())) {
+        last_searches_(static_cast<std::size_t>(input.rest.vertex_count())) {
     const Positions& corners = surface_->mesh().positions;
     box_ = {corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose()};
     for (const auto& t : input.rest.triangles().rowwise())
@@ -103,18 +105,19 @@ class SurfaceContacts {
     const obstacle::Step<Real> step(motion_, context);
     for (const NearRidge& near : ridges_near_) push_edge(context, step, near);
     for (const NearCorner& near : corners_near_) push_triangle(context, step, near);
-    for (std::size_t v = 0; v < asked_.size(); ++v) push_vertex(context, step, v);
+    for (std::size_t v = 0; v < last_searches_.size(); ++v) push_vertex(context, step, v);
   }
 
-  void archive(Archive& state) { state(asked_); }
+  void archive(Archive& state) { state(last_searches_); }
 
  private:
   using Vector = Vector3Of<Real>;
   using Step = obstacle::Step<Real>;
 
-  struct Asked {
+  // Where a vertex last looked for the nearest point of the mesh.
+  struct LastSearch {
     Vector3 at = Vector3::Zero();
-    double distance = 0;  // m, a lower bound of the distance from there to the surface
+    double distance = 0;  // m, a lower bound of the distance from `at` to the surface
 
     void archive(Archive& state) { state(at, distance); }
 
@@ -156,11 +159,11 @@ class SurfaceContacts {
   // No point of a triangle is farther from a corner than the longest side.
   bool any_in_reach(const State<Real>& state, const Step& step) const {
     double way = 0;
-    for (std::size_t v = 0; v < asked_.size(); ++v)
+    for (std::size_t v = 0; v < last_searches_.size(); ++v)
       way = std::max(way, (now(state, step, v) - before(state, step, v)).squaredNorm());
     const double reach = thickness_ + std::sqrt(way) + longest_;
-    for (std::size_t v = 0; v < asked_.size(); ++v)
-      if (!asked_[v].surely_beyond(reach, now(state, step, v))) return true;
+    for (std::size_t v = 0; v < last_searches_.size(); ++v)
+      if (!last_searches_[v].surely_beyond(reach, now(state, step, v))) return true;
     return false;
   }
 
@@ -173,11 +176,11 @@ class SurfaceContacts {
       reach = std::max(reach, thickness_ + (x[i] - before(state, step, vertices[i])).norm());
       side = std::max(side, (x[i] - x[0]).norm());
     }
-    if (asked_[vertices[0]].surely_beyond(reach + side, x[0])) return;
+    if (last_searches_[vertices[0]].surely_beyond(reach + side, x[0])) return;
     const auto [low, high] = bounds(x, reach);
     if ((low.array() > box_.max().array()).any() || (high.array() < box_.min().array()).any()) return;
-    found_.clear();
-    surface_->triangles_in_box(low, high, found_);
+    faces_.clear();
+    surface_->triangles_in_box(low, high, faces_);
     add_features(t, x, reach);
   }
 
@@ -190,7 +193,7 @@ class SurfaceContacts {
 
   void add_features(std::size_t t, const std::array<Vector3, 3>& x, double reach) {
     corners_.clear(), ridges_.clear();
-    for (const int face : found_)
+    for (const int face : faces_)
       for (int i = 0; i < 3; ++i) {
         if (const int ridge = surface_->ridges_of(face)[static_cast<std::size_t>(i)]; ridge >= 0)
           ridges_.push_back(ridge);
@@ -260,7 +263,7 @@ class SurfaceContacts {
     const std::array<Vector3, 3> x = {now(state, step, vertices[0]), now(state, step, vertices[1]),
                                       now(state, step, vertices[2])};
     const Vector3 w = nearest_weights(corner, x[0], x[1], x[2]);
-    if (!(w.minCoeff() > 0)) return;  // on an edge: ridges and vertices deal with it
+    if (!(w.minCoeff() > 0)) return;  // on an edge: left to ridges and vertices
     const Vector3 at = w(0) * x[0] + w(1) * x[1] + w(2) * x[2];
     const Vector3 from = w(0) * before(state, step, vertices[0]) + w(1) * before(state, step, vertices[1]) +
                          w(2) * before(state, step, vertices[2]);
@@ -275,14 +278,14 @@ class SurfaceContacts {
   void push_vertex(PassContext<Real>& context, const Step& step, std::size_t v) {
     if (!(context.state.position[v].w > 0)) return;
     const Vector3 x = now(context.state, step, v), from = before(context.state, step, v);
-    Asked& asked = asked_[v];
-    if (asked.surely_beyond(thickness_, x) && asked.surely_beyond(0, from)) return;
+    LastSearch& last = last_searches_[v];
+    if (last.surely_beyond(thickness_, x) && last.surely_beyond(0, from)) return;
     if (const double far = distance_to_box(x); far > thickness_ + (x - from).norm()) {
-      asked = {x, far};
+      last = {x, far};
       return;
     }
     const MeshSurface::Nearest nearest = surface_->nearest(x);
-    asked = {x, nearest.inside ? 0 : nearest.distance};
+    last = {x, nearest.inside ? 0 : nearest.distance};
     const std::optional<Push> out = crossed(x, from, nearest);
     if (out && out->depth > 0)
       obstacle::push(context, step, v, Vector(out->normal.template cast<Real>()),
@@ -307,12 +310,12 @@ class SurfaceContacts {
   double thickness_, longest_;  // m; the longest edge of the cloth
   bool contacts_used_;
   Eigen::AlignedBox3d box_;
-  std::vector<Asked> asked_;  // #V
+  std::vector<LastSearch> last_searches_;  // #V
   std::vector<std::array<std::size_t, 3>> triangles_;
   std::vector<char> owned_;  // 3 #T
   std::vector<NearCorner> corners_near_;
   std::vector<NearRidge> ridges_near_;
-  std::vector<int> found_, corners_, ridges_;  // for the current triangle
+  std::vector<int> faces_, corners_, ridges_;  // for the current triangle
 };
 
 template <class Real>
@@ -328,7 +331,7 @@ std::vector<Pass<Real>> compile(const MeshObstacle& settings, const EffectInput&
 constinit const EffectKind MeshObstacle::kind{
     .name = "mesh_obstacle",
     .summary = "an obstacle: a triangle mesh from a file, closed or open",
-    .source = "nearest points by CGAL's AABB tree, their side by Bærentzen & Aanæs 2005",
+    .source = "nearest points by CGAL's AABB tree; inside or outside by Bærentzen & Aanæs 2005",
     .settings = table_of<MeshObstacle>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,

@@ -20,33 +20,38 @@ constexpr std::array<std::string_view, 2> interpolations = {"linear", "smooth"};
 constexpr std::array fields = {
     field<&MovingPins::vertices>(
         {.name = "vertices",
-         .meaning = "which pinned vertices move, by the names of /pins/vertices, each with the rings pinned "
-                    "around it; nothing here and in indices: all",
+         .meaning = "which pinned vertices move, by the names of /pins/vertices; the rings pinned around a "
+                    "vertex move with it. If vertices and indices are both empty, all pinned vertices move",
          .choices = place_names}),
     field<&MovingPins::indices>({.name = "indices",
                                  .unit = "1",
-                                 .meaning = "the same by index, besides the named ones",
+                                 .meaning = "pinned vertices that move, by index, in addition to the named "
+                                            "vertices",
                                  .minimum = 0}),
     field<&MovingPins::times>(
         {.name = "times",
          .unit = "s",
-         .meaning = "of the keyframes, growing; the first one holds before its time, the last after"}),
+         .meaning = "times of the keyframes, in growing order; the first keyframe also holds before its "
+                    "time, and the last keyframe after its time"}),
     field<&MovingPins::offsets>(
         {.name = "offsets",
          .unit = "m",
-         .meaning = "from where the vertices start, three numbers per keyframe; none: no offset"}),
+         .meaning = "displacement from where the vertices start, three numbers per keyframe; empty: no "
+                    "displacement"}),
     field<&MovingPins::angles>(
         {.name = "angles",
          .unit = "degrees",
-         .meaning = "of a turn about the axis before the offset, one per keyframe; none: no turn"}),
+         .meaning = "angle of the turn about the axis, which comes before the offset, one per keyframe; "
+                    "empty: no turn"}),
     field<&MovingPins::axis>(
         {.name = "axis",
          .unit = "1",
          .meaning = "direction of the axis of the turn, right-handed; any length but zero"}),
-    field<&MovingPins::centre>({.name = "centre", .unit = "m", .meaning = "a point on that axis"}),
+    field<&MovingPins::centre>({.name = "centre", .unit = "m", .meaning = "a point on the axis of the turn"}),
     field<&MovingPins::interpolation>(
         {.name = "interpolation",
-         .meaning = "between keyframes: linear, or smooth (3 s² - 2 s³: at rest at every keyframe)",
+         .meaning = "how to interpolate between keyframes: linear, or smooth (by 3 s² - 2 s³, at rest at "
+                    "every keyframe)",
          .choices = interpolations}),
 };
 
@@ -55,7 +60,8 @@ struct Pose {
   double angle = 0;                  // rad
 };
 
-// Poses at growing times. Throws std::invalid_argument for lists that do not fit each other.
+// Poses at growing times. Throws std::invalid_argument if the lists' lengths do not match or the times do not
+// grow.
 class Keyframes {
  public:
   explicit Keyframes(const MovingPins& settings)
@@ -66,7 +72,7 @@ class Keyframes {
     for (std::size_t k = 0; k < times_.size(); ++k) {
       if (k > 0 && !(times_[k] > times_[k - 1]))
         throw std::invalid_argument(
-            fmt::format("times must grow: {} s stands after {} s", times_[k], times_[k - 1]));
+            fmt::format("times must grow, but {} s comes after {} s", times_[k], times_[k - 1]));
       Pose pose;
       if (!offsets.empty()) pose.offset = Vector3(offsets.data() + 3 * k);
       if (!angles.empty()) pose.angle = angles[k] * std::numbers::pi / 180;
@@ -78,7 +84,7 @@ class Keyframes {
     return std::ranges::all_of(poses_, [](const Pose& p) { return p.angle == 0 && p.offset.isZero(0); });
   }
 
-  // At a keyframe's own time this is its pose, to the last bit.
+  // At the time of a keyframe this is the keyframe's pose, to the last bit.
   Pose at(double time) const {
     const auto next = std::ranges::upper_bound(times_, time);
     const auto k = static_cast<std::size_t>(next - times_.begin());
@@ -104,8 +110,8 @@ class Keyframes {
   bool smooth_;
 };
 
-// #V: for each pinned vertex the vertex named in the scene that pins it: itself, or the nearest one along
-// pinned vertices. -1 for free vertices.
+// #V: for each pinned vertex, the vertex named in the scene that caused it to be pinned: the vertex itself,
+// or the nearest named vertex along pinned vertices. -1 for free vertices.
 std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   std::vector<int> seed(static_cast<std::size_t>(rest.vertex_count()), -1), queue = pins.seeds;
   for (const int vertex : queue) seed[static_cast<std::size_t>(vertex)] = vertex;
@@ -116,14 +122,14 @@ std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   return seed;
 }
 
-// The vertices that the settings name; all pinned ones if they name none. Throws std::invalid_argument for a
-// vertex that is not in the mesh or not pinned.
+// The vertices that the settings name; all pinned vertices if the settings name no vertex. Throws
+// std::invalid_argument for a vertex that is not in the mesh or not pinned.
 std::set<int> named_vertices(const MovingPins& settings, const EffectInput& input) {
   std::set<int> named;
   const auto add = [&](int vertex, const std::string& setting) {
     if (!input.pins.pinned(vertex))
       throw std::invalid_argument(
-          fmt::format("{}: vertex {} is not pinned: name it in /pins too, or not here", setting, vertex));
+          fmt::format("{}: vertex {} is not pinned: add it to /pins, or remove it here", setting, vertex));
     named.insert(vertex);
   };
   for (const Place place : settings.vertices)
@@ -131,7 +137,7 @@ std::set<int> named_vertices(const MovingPins& settings, const EffectInput& inpu
       add(vertex, fmt::format("vertices, {}", name_in(place_names, place)));
   for (const int index : settings.indices) {
     if (index >= input.rest.vertex_count())
-      throw std::invalid_argument(fmt::format("indices: {} is no vertex; the mesh has vertices 0 to {}",
+      throw std::invalid_argument(fmt::format("indices: {} is not a vertex; the mesh has vertices 0 to {}",
                                               index, input.rest.vertex_count() - 1));
     add(index, "indices");
   }
@@ -162,7 +168,7 @@ class Motion {
     axis_.normalize();
   }
 
-  bool none() const { return keyframes_.all_at_the_start(); }
+  bool stands_still() const { return keyframes_.all_at_the_start(); }
 
   // Calls visit(i, position) for the i-th of the starts; coordinates are relative to `origin`.
   template <class Visit>
@@ -182,13 +188,13 @@ class Motion {
 };
 
 // Sets the predicted positions of pinned vertices to those at the end of the substep, context.time + h. No
-// projection moves them. `update` derives their velocities from their previous positions, for those who ask
-// how fast a pin moves.
+// projection moves pinned vertices. `update` derives their velocities from their previous positions, for
+// callers that need to know how fast a pin moves.
 template <class Real>
 std::vector<Pass<Real>> compile(const MovingPins& settings, const EffectInput& input) {
   const Motion motion(settings);
   std::vector<std::size_t> vertices = moving_vertices(settings, input);
-  if (vertices.empty() || motion.none()) return {};
+  if (vertices.empty() || motion.stands_still()) return {};
   const auto starts = std::make_shared<std::vector<Vector3>>();
   return {{"moving_pins", Stage::predicted,
            [motion, vertices = std::move(vertices), starts](PassContext<Real>& context) {
@@ -220,8 +226,9 @@ bool drives(const MovingPins&) {
 constinit const EffectKind MovingPins::kind{
     .name = "moving_pins",
     .summary =
-        "pinned vertices follow keyframes exactly; if several lists move a vertex, the last one counts",
-    .source = "prescribed motion: start + offset, after a turn about an axis where angles are given",
+        "pinned vertices follow keyframes exactly; if several of these effects move a vertex, the last one "
+        "counts",
+    .source = "prescribed motion: start + offset, after a turn about an axis if angles are given",
     .settings = table_of<MovingPins>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,

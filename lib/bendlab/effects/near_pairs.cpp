@@ -11,7 +11,7 @@ namespace {
 
 // Added to the margin for the rounding of float boxes; relative to the largest coordinate of a box.
 constexpr double box_rounding = 4e-7;
-// A box's extent in the fourth lane, in which all overlap.
+// Extent of every box in the fourth lane, so that all boxes overlap there.
 constexpr float endless = 1e30F;
 // Relative to the thickness: a pair nearer than this at rest touches (a seam that is not welded).
 constexpr double touching = 1e-6;
@@ -38,7 +38,8 @@ void give_edges(Triangles& triangles) {
                 });
 }
 
-// The least and the largest component of vertices' vectors along each axis: the same in any order.
+// The smallest and the largest component of the vertices' vectors along each axis. The order of the vertices
+// does not matter.
 template <class Real>
 struct Range {
   Vector3 low, high;
@@ -79,8 +80,8 @@ NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
   give_edges(triangles_);
 }
 
-// Pairs found before hold if every vertex is within its margin at both ends of the substep: then its straight
-// way is, too.
+// The pairs found before are still valid if every vertex is within its margin at the start and at the end of
+// the substep: then its straight path is within the margin, too.
 template <class Real>
 void NearPairs<Real>::begin(const State<Real>& state, double margin) {
   if (part_of_target_ < 1 || !cover(state.previous) || !cover(state.position)) {
@@ -109,7 +110,8 @@ void NearPairs<Real>::find(const State<Real>& state, double part_of_target, doub
       [&](int a, int b) { look_at(state, static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
 }
 
-// Two elements on the same sides along an axis at the start and at the end are so all the way.
+// If an axis separates two elements in the same order at the start and at the end, it separates them all the
+// way.
 template <class Real>
 bool NearPairs<Real>::Way::meets(const Way& other, float depth) const {
   const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
@@ -157,12 +159,13 @@ typename NearPairs<Real>::Way NearPairs<Real>::edge_way(const Triangle& t, std::
   return way;
 }
 
-// The boxes are grown for pairs whose target is the thickness; one that is near at rest has a smaller target.
+// The boxes are grown for pairs whose target is the thickness. A pair that is near at rest has a smaller
+// target.
 template <class Real>
-bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
-                                    const Way& other) const {
-  if (!one.meets(other)) return false;
-  if (!thick_) return true;  // too few are near at rest
+bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& first,
+                                    const Way& second) const {
+  if (!first.meets(second)) return false;
+  if (!thick_) return true;  // too few pairs are near at rest for the test below
   const auto apart = [&](std::size_t i, std::size_t j) {
     return (rest_[static_cast<std::size_t>(vertices[i])] - rest_[static_cast<std::size_t>(vertices[j])])
         .squaredNorm();
@@ -171,15 +174,15 @@ bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& v
                                      ? std::min({apart(0, 1), apart(0, 2), apart(0, 3)})
                                      : std::min({apart(0, 2), apart(0, 3), apart(1, 2), apart(1, 3)});
   const double largest_target = std::min(thickness_, 0.5 * std::sqrt(nearest_corners));
-  return one.meets(other, static_cast<float>(part_of_target_ * (thickness_ - largest_target)));
+  return first.meets(second, static_cast<float>(part_of_target_ * (thickness_ - largest_target)));
 }
 
 template <class Real>
 void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::size_t second) {
   if (!triangle_ways_[first].meets(triangle_ways_[second])) return;
-  const auto look = [&](Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
-                        const Way& other) {
-    if (may_come_near(pairing, vertices, one, other)) add(state, pairing, vertices);
+  const auto look = [&](Pairing pairing, const std::array<int, 4>& vertices, const Way& way,
+                        const Way& other_way) {
+    if (may_come_near(pairing, vertices, way, other_way)) add(state, pairing, vertices);
   };
   const auto has = [](const Triangle& t, int v) {
     return t.vertices[0] == v || t.vertices[1] == v || t.vertices[2] == v;
@@ -218,7 +221,7 @@ template <class Real>
 void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices) {
   NearPair pair{vertices, pairing, 0, {}, thickness_};
   measure_start(state, pair);
-  // Each of the two elements may come nearer by its margin.
+  // Each of the two elements may come nearer by the margin.
   const double end = separation_along(pair.normal, pairing, corners_of(pair, state.position)) - 2 * margin_;
   const double least = std::min(pair.start, end);
   if (least > part_of_target_ * thickness_) return;

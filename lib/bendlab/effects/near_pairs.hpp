@@ -1,5 +1,5 @@
-// The parts of a cloth that may touch each other within a substep: pairs of vertex and triangle, pairs of
-// edges.
+// The parts of a cloth that may touch each other within a substep: pairs of a vertex and a triangle, and
+// pairs of edges.
 #pragma once
 
 #include <array>
@@ -15,26 +15,26 @@ namespace bendlab {
 struct NearPair {
   std::array<int, 4> vertices;  ///< permuted: indices in State's arrays, ordered as in Corners
   Pairing pairing;
-  double start;    ///< m, its gap's length at the start of the substep
+  double start;    ///< m, length of the gap at the start of the substep
   Vector3 normal;  ///< the unit vector of that gap
-  double target;   ///< m, how far apart it should be: the thickness, or half of the rest distance if less
+  double target;   ///< m, wanted distance: the thickness, or half of the rest distance if that is less
 
   void archive(Archive& state) { state(vertices, pairing, start, normal, target); }
 };
 
-/// Finds the pairs that can come nearer than a part of their target while each vertex goes straight from
-/// where the substep started to a point within a margin of where it is now. It finds all of them, and few
-/// others:
+/// Finds the pairs that can come nearer than a given part of their target during a substep. A vertex is
+/// assumed to move straight, from its position at the start of the substep to a point within a margin of its
+/// present position. All such pairs are found, and few other pairs:
 ///
-/// * A tree holds boxes around each triangle's way: n log n at most, n if the cloth is smooth. The motion
-///   that all vertices share is left out: cloth in free fall sweeps no space.
+/// * A tree holds boxes around each triangle's path. The cost is n log n at most, and n if the cloth is
+///   smooth. The motion that all vertices share is subtracted, so that cloth in free fall sweeps no space.
 /// * Each vertex and each edge belongs to one triangle, so every pair is tested once (Curtis et al. 2008).
-/// * Two elements are apart all the way if some axis or their gap's normal separates them both at the start
-///   and at the end, by more than their target.
+/// * Two elements stay apart if an axis, or the normal of their gap, separates them by more than their target
+///   both at the start and at the end.
 ///
-/// Why half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded
-/// to a diameter of the thickness before a pair is pushed, and neighbours at rest never are. Elements that
-/// have a common vertex or touch at rest (a seam) are no pair.
+/// Why half of the rest distance: a chord of a half circle is at least 2/π of its arc. So cloth may be folded
+/// to a diameter of the thickness before a pair is pushed, and neighbours at rest are never pushed. Elements
+/// that share a vertex, or that touch at rest (a seam), are not a pair.
 ///
 /// The order of the pairs depends on the mesh alone.
 template <class Real>
@@ -42,10 +42,11 @@ class NearPairs {
  public:
   NearPairs(const EffectInput& input, double thickness);
 
-  /// Begins a substep. Pairs found before are kept where they still cover the whole way.
+  /// Begins a substep. Keeps the pairs found before if they still cover the whole path of every vertex.
   void begin(const State<Real>& state, double margin);
   void find(const State<Real>& state, double part_of_target, double margin);
-  /// True while no vertex has left its margin since the pairs were found, apart from motion that all share.
+  /// True while no vertex has left its margin since the pairs were found, apart from motion that all vertices
+  /// share.
   bool cover(const Points<Real>& points) const;
 
   const std::vector<NearPair>& pairs() const { return pairs_; }
@@ -58,8 +59,8 @@ class NearPairs {
     std::array<bool, 3> owns_vertex, owns_edge;  // edge i from corner i to the next
   };
 
-  // Boxes around an element at start and end, each grown by half of the distance at which two elements
-  // matter.
+  // Boxes around an element at the start and at the end of the substep. Each box is grown by half of the
+  // distance at which two elements count as near.
   struct Way {
     Box start, end;
     void include(const Way& other) { start.include(other.start), end.include(other.end); }
@@ -69,22 +70,22 @@ class NearPairs {
 
   void measure_start(const State<Real>& state, NearPair& pair) const;
   void set_boxes(const State<Real>& state);
-  bool may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
-                     const Way& other) const;
+  bool may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& first,
+                     const Way& second) const;
   void look_at(const State<Real>& state, std::size_t first, std::size_t second);
   void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices);
   Way edge_way(const Triangle& t, std::size_t edge) const;
 
   double thickness_;
-  bool thick_;  // compared with the mesh's edges
+  bool thick_;  // whether the thickness is large compared with the mesh's edges
   std::vector<Triangle> triangles_;
   std::vector<Vector3> rest_;  // m, permuted
   BoxTree tree_;
 
-  double part_of_target_ = 0, margin_ = 0;  // of the last find
+  double part_of_target_ = 0, margin_ = 0;  // of the last call of find()
   Points<Real> found_at_;
   std::vector<Way> vertex_ways_, triangle_ways_;
-  std::vector<Box> boxes_;  // of the triangles' ways, without the motion that all share
+  std::vector<Box> boxes_;  // around the triangles' paths, without the motion that all vertices share
   std::vector<NearPair> pairs_;
 };
 

@@ -12,7 +12,7 @@
 
 namespace bendlab::obstacle {
 
-/// The rows of Body's and of SpinningBody's members.
+/// The rows for the members of Body and of SpinningBody.
 template <class Obstacle>
 inline constexpr std::array body_fields = {
     field<&Obstacle::thickness, Obstacle>({.name = "thickness",
@@ -23,25 +23,26 @@ inline constexpr std::array body_fields = {
     field<&Obstacle::velocity, Obstacle>(
         {.name = "velocity",
          .unit = "m/s",
-         .meaning = "of the obstacle, which is where its settings say at time 0"}),
+         .meaning = "velocity of the obstacle; at time 0 the obstacle is where its settings place it"}),
 };
 template <class Obstacle>
 inline constexpr std::array spin_fields = {
     field<&Obstacle::spin, Obstacle>(
         {.name = "spin",
          .unit = "rad/s",
-         .meaning = "about the axis, counter-clockwise seen from its tip: carries the cloth by friction"}),
+         .meaning = "angular velocity about the axis, counter-clockwise seen from its tip; carries the cloth "
+                    "by friction"}),
 };
 
 /// A setting as a unit vector. Throws std::invalid_argument if it is zero.
 inline Vector3 direction_of(const Vector3& setting, const std::string& name) {
   if (!(setting.norm() > 0))
-    throw std::invalid_argument(name + " is the zero vector, which has no direction; give it a length");
+    throw std::invalid_argument(name + " is the zero vector, which has no direction; choose another vector");
   return setting.normalized();
 }
 
-/// The longest edge that obstacles expect, m. If cloth stretches beyond it, they may miss it between
-/// vertices.
+/// The longest edge that obstacles expect, m. If cloth stretches beyond this length, obstacles may miss the
+/// cloth between its vertices.
 inline double longest_edge(const RestMesh& rest) {
   constexpr double largest_stretch = 1.5;
   double longest = 0;
@@ -65,10 +66,10 @@ class Step {
     sine_ = static_cast<Real>(std::sin(turn)), versine_ = static_cast<Real>(1 - std::cos(turn));
   }
 
-  /// From a point of the obstacle in the world at time 0 to the same point in the state's coordinates at the
-  /// end of the substep; without spin.
+  /// Translation from a point of the obstacle in the world at time 0 to the same point in the state's
+  /// coordinates at the end of the substep; without spin.
   const Vector3& shift() const { return shift_; }
-  /// How far the velocity moves it in the substep.
+  /// How far the velocity moves the obstacle in the substep.
   const Vector& advance() const { return advance_; }
 
   /// How far the obstacle carries a point from `start` in the substep: by the rotation R(ωh) about the pivot
@@ -97,7 +98,7 @@ void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex
 }
 
 /// Moves the point Σ weight·vertex of the cloth by `depth` along `normal`. Each free vertex is pushed in
-/// proportion to weight and inverse mass, as by a force at that point. Beside pinned corners the free ones
+/// proportion to weight and inverse mass, as by a force at that point. Near a pinned corner the free corners
 /// have almost no weight: see least_lever and largest_move.
 template <class Real, std::size_t corners>
 void push_together(PassContext<Real>& context, const Step<Real>& step,

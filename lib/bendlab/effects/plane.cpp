@@ -35,9 +35,9 @@ std::vector<Pass<Real>> compile(const Plane& settings, const EffectInput& input)
            }}};
 }
 
-// A square, as it goes on without an end.
+// A square stands for the plane, which has no end.
 TriangleMesh surface(const Plane& settings, const SurfaceInput& input) {
-  constexpr double side = 4;  // of the cloth's size
+  constexpr double side = 4;  // relative to the cloth's size
   const Vector3 normal = obstacle::direction_of(settings.normal, "normal");
   const Vector3 right = normal.unitOrthogonal(), forward = normal.cross(right),
                 middle = input.centre - normal.dot(input.centre - settings.point) * normal;

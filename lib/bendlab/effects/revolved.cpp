@@ -8,7 +8,7 @@ namespace bendlab {
 namespace {
 
 constexpr int around = 96;   // corners on a circle
-constexpr int quarter = 24;  // edges on a quarter of an arc
+constexpr int quarter = 24;  // edges on a quarter of a circle
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Surfaces of revolution, as which obstacles are drawn.
+// Surfaces of revolution, by which round obstacles are drawn.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@ using ProfilePoint = std::array<double, 2>;
 /// A part of a circle, from one angle to another, both in quarters of a turn; 0 is the equator.
 std::vector<ProfilePoint> arc(double radius, int first, int last);
 
-/// The surface of revolution of a profile from bottom to top, closed at both ends on the axis: between them
-/// each point is a ring of corners. Normals point outward.
+/// The surface of revolution of a profile from bottom to top. The first and last point lie on the axis and
+/// close the surface; every other point becomes a ring of corners. Normals point outward.
 TriangleMesh revolved(const std::vector<ProfilePoint>& profile, const Vector3& origin, const Vector3& axis);
 
 }  // namespace bendlab

@@ -1,5 +1,5 @@
-// Rigid-mode damping: pulls every free vertex's velocity towards that of the rigid motion with the same
-// linear and angular momentum. So both momenta are kept, and only deformation is damped.
+// Rigid-mode damping: pulls the velocity of every free vertex towards the velocity of the rigid motion that
+// has the same linear and angular momentum. So both momenta are kept, and only deformation is damped.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -54,8 +54,8 @@ struct RigidMotion {
               state.velocity[v].vector().template cast<double>());
   }
 
-  // Pseudo-inverse: vertices on a line, or a single one, have axes without inertia. Nothing spins about
-  // these.
+  // Pseudo-inverse: vertices on a line, or a single vertex, have axes without inertia. There is no spin about
+  // these axes.
   static Vector3d solve_symmetric(const Matrix3d& inertia, const Vector3d& angular_momentum) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(inertia);
     constexpr double relative_rank = 1e-12;  // of the largest moment: above the rounding of the sums

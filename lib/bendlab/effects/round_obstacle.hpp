@@ -1,20 +1,21 @@
 // Obstacles that hold all points within a radius of a convex core: a ball about a point, a capsule about a
-// segment, a round table top about a flat disc. The distance to the core is convex along every line, which
-// makes the searches below short:
+// segment, a round table top about a flat disc. The distance to the core is convex along every line, so that
+// the searches below are short:
 //
 // * A vertex within radius + thickness of the core is pushed out along the direction from the core.
 // * A fast vertex moves farther than the radius in a substep, so that the nearest way out may lead to the
-//   wrong side. It is followed to where it enters, and held outside the tangent plane there.
+//   wrong side. Such a vertex is followed to the point where it enters, and held outside the tangent plane
+//   there.
 // * An edge whose ends are outside may still cut through. Kelley's cutting planes find its lowest point. If
 //   both ends are R = radius + thickness away from the core, they are also that far from the core's point
 //   nearest to the edge. So the middle of an edge of length l is at least √(R² - l²/4) away, and the inside
-//   of a triangle √(R² - l²/3). That is outside the radius if l² <= 3 t (2 radius + t), t the thickness: then
-//   edges and triangles are not tested.
+//   of a triangle √(R² - l²/3). Both are outside the radius if l² <= 3 t (2 radius + t), where t is the
+//   thickness: then edges and triangles are not tested.
 // * A ball or a capsule's end may come through a triangle between its edges: the core's tips are tested
 //   against triangles.
 //
-// Not covered: edges and triangles are not followed through a substep. One that moves by more than
-// radius + thickness may pass the core between its vertices, so h < (radius + thickness) / speed.
+// Not covered: edges and triangles are not followed through a substep. If an edge or triangle moves by more
+// than radius + thickness, the core may pass between its vertices: choose h < (radius + thickness) / speed.
 #pragma once
 
 #include <algorithm>
@@ -70,8 +71,8 @@ class RoundObstacle {
   }
 
  private:
-  // Finds the vertices' distances to the surface, for edges and triangles. Whether any vertex is near or
-  // fast.
+  // Finds the vertices' distances to the surface, which the tests of edges and triangles need. Returns
+  // whether any vertex is near or fast.
   bool any_near(const State<Real>& state, const Step<Real>& step, const Core<Real>& core) {
     bool any = false;
     for (std::size_t v = 0; v < clearance_.size(); ++v) {
@@ -96,7 +97,7 @@ class RoundObstacle {
     const Vector p = point.vector(), from = context.state.previous[v].vector() + step.advance();
     const Real way = (p - from).squaredNorm();
     Vector offset = p - core.nearest(p);
-    // The way enters only if |offset| < √way + reach; (a + b)² <= 2 (a² + b²).
+    // The path enters only if |offset| < √way + reach; (a + b)² <= 2 (a² + b²).
     if (way > radius_ * radius_ && offset.squaredNorm() < 2 * (way + reach_ * reach_)) {
       push_fast(context, step, core, v, from);
       const Vector at = point.vector();
@@ -109,17 +110,18 @@ class RoundObstacle {
          contacts_used_);
   }
 
-  // Where the way from outside enters, by Newton's method on the distance. It is convex along the way, so a
-  // tangent stays below it and no step passes the surface. Once the distance grows, the way has missed it.
+  // Finds where a path from outside enters, by Newton's method on the distance to the core. The distance is
+  // convex along the path, so a tangent stays below it and no step passes the surface. Once the distance
+  // grows, the path has missed the obstacle.
   void push_fast(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core, std::size_t v,
                  const Vector& from) const {
-    constexpr int most_steps = 32;  // quadratic; if the way only grazes, a step quarters the height
+    constexpr int most_steps = 32;  // quadratic; if the path only grazes, a step quarters the height
     const Vector to = context.state.position[v].vector(), way = to - from;
     Real s = 0;
     for (int i = 0; i < most_steps && s <= 1; ++i) {
       const Vector at = from + s * way, offset = at - core.nearest(at);
       const Real distance = offset.norm(), height = distance - reach_, slope = offset.dot(way) / distance;
-      if (distance <= radius_ || slope >= 0) return;  // inside from the start, or leading away
+      if (distance <= radius_ || slope >= 0) return;  // the path starts inside, or leads away
       if (height <= slack_) {
         const Vector normal = offset / distance;
         if (const Real depth = -height - (to - at).dot(normal); depth > 0)
@@ -145,7 +147,7 @@ class RoundObstacle {
       return {s, distance, normal.dot(along)};
     };
     Tangent low = tangent_at(0), high = tangent_at(1);
-    if (low.slope >= 0 || high.slope <= 0) return;  // an end is the lowest
+    if (low.slope >= 0 || high.slope <= 0) return;  // the lowest point is an end
     constexpr int most_cuts = 12;
     for (int i = 0; i < most_cuts; ++i) {
       const Real s =
@@ -190,7 +192,7 @@ class RoundObstacle {
   SteadyMotion motion_;
   Real radius_, reach_, slack_, near_ = 0;
   bool contacts_used_;
-  std::vector<Real> clearance_;  // #V, m; empty if vertices are enough
+  std::vector<Real> clearance_;  // #V, m; empty if only vertices are tested
   std::vector<std::array<std::size_t, 2>> edges_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };

@@ -4,25 +4,26 @@
 // rules act on it.
 //
 // * In each iteration a pair nearer than its target is moved apart along its gap. A pair that met on the
-//   straight way from the start of the substep is moved back to the side it came from, along the gap at the
+//   straight path from the start of the substep is moved back to the side it came from, along the gap at the
 //   moment it met: Δx_i = -w_i λ n, mass-weighted (Müller et al. 2007, §4.3; the moment of contact: Provot
 //   1997 and Bridson et al. 2002, §6). Linear momentum is kept to rounding. Angular momentum is kept if the
-//   correction lies along the gap; for a pair that met it is kept about the point where it met.
+//   correction lies along the gap; for a pair that met, it is kept about the point where the pair met.
 // * The iterations may end before all pairs are corrected. So at the end of the substep every pair is tested
 //   once more. Pairs that meet are moved back as before, for a few rounds. Pairs that still meet then move as
-//   one rigid body with all they meet, until none does (Provot 1997; Bridson et al. 2002, §7.4: impact
-//   zones).
+//   one rigid body with everything they meet, until no pair meets (Provot 1997; Bridson et al. 2002, §7.4:
+//   impact zones).
 //
 // Guaranteed: if the substep starts without an intersection, there is none at its end, whatever the step,
 // speed and iterations, as long as pins do not push through each other. Not guaranteed:
 //
 // * the thickness itself, if iterations are few;
 // * that intersections at the start are undone (each pair stays on its side);
-// * that other constraints and obstacles are met by vertices which the last test moves;
+// * that vertices which the last test moves satisfy other constraints and stay out of obstacles;
 // * that a triangle does not turn over within its own plane, through a line.
 //
-// Cost grows about as the number of vertices while layers move less than a few edges against each other in a
-// substep. Beyond that the boxes around the ways overlap, and it grows faster. Substeps are the remedy.
+// The cost is about proportional to the number of vertices while layers move by less than a few edge lengths
+// against each other in a substep. Beyond that the boxes around the paths overlap, and the cost grows faster.
+// More substeps are the remedy.
 //
 // Velocities follow from positions: cloth that meets does not bounce. A pair that is nearer than its target
 // is given time to come apart; otherwise it would shoot apart.
@@ -49,25 +50,26 @@ constexpr std::array fields = {
     field<&SelfCollision::thickness>(
         {.name = "thickness",
          .unit = "m",
-         .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
+         .meaning = "distance that layers of cloth keep from each other; half of their distance at rest if "
+                    "that is less",
          .minimum = 0,
          .above = true}),
 };
 
-// s: in this time a pair that is nearer than its target comes apart by the target.
+// s: within this time, a pair that is nearer than its target moves apart by the target.
 constexpr double recovery_time = 0.02;
-// A pair has met if its distance is this part of its target, or this part of its distance at the start if
-// that is less. So a pair that is near already may come only a little nearer; else it would be within
-// rounding after a few substeps.
+// A pair has met if its distance is at most `meeting` times its target, or at most `meeting_of_start` times
+// its distance at the start if that is less. So a pair that is already near may come only a little nearer in
+// a substep; otherwise rounding would hide its distance after a few substeps.
 constexpr double meeting = 0.05, meeting_of_start = 0.8;
-// A pair that met is moved back to this part of its target, or to its distance at the start.
+// A pair that met is moved back to this part of its target, or to its distance at the start if that is less.
 constexpr double moved_back = 0.5;
 constexpr int rounds_before_zones = 8;
 // How far a vertex may move before pairs are found again: this part of the thickness, and at most this part
-// of the mean edge, so that neighbours at rest are no pairs.
+// of the mean edge length, so that neighbours at rest are not pairs.
 constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 
-// Sets of vertices that move as one.
+// Sets of vertices that move as one rigid body.
 class Zones {
  public:
   bool joined(const NearPair& pair) {
@@ -108,7 +110,8 @@ class Zones {
   std::vector<int> members_;
 };
 
-// The rigid rotation with the angular momentum of displacements d of masses at r, about their centre.
+// The rigid rotation about the centre that has the same angular momentum as displacements d of masses at r,
+// relative to the centre.
 struct Turn {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Vector3 moment = Vector3::Zero();
@@ -191,7 +194,8 @@ class Layers {
     return state.position[static_cast<std::size_t>(vertex)];
   }
 
-  // The gap at which a pair met since the start of the substep; `end` are its present positions.
+  // The gap at the moment when a pair met, if the pair met since the start of the substep; `end`: present
+  // positions of its vertices.
   static std::optional<Gap> meeting_gap(const State<Real>& state, const NearPair& pair, const Corners& end) {
     const double separation = std::min(meeting * pair.target, meeting_of_start * pair.start);
     if (!(separation > 0)) return std::nullopt;
@@ -199,7 +203,8 @@ class Layers {
     return first_contact(pair.pairing, corners_of(pair, state.previous), end, separation);
   }
 
-  // The gap along which to move a pair to the distance `target`; nothing if it is that far apart.
+  // The gap along which to move a pair to the distance `target`; nothing if the pair is already that far
+  // apart.
   static std::optional<Gap> gap_to_widen(const State<Real>& state, const NearPair& pair, double target) {
     const Corners end = corners_of(pair, state.position);
     if (std::min(pair.start, separation_along(pair.normal, pair.pairing, end)) >= target) return std::nullopt;
@@ -207,8 +212,8 @@ class Layers {
     return shortest_gap(pair.pairing, end);
   }
 
-  // Moves the two nearest points apart along the gap, until they are `target` apart; false if they are
-  // already.
+  // Moves the two nearest points apart along the gap, until they are `target` apart; false if they already
+  // are.
   template <class Move>
   static bool widen(State<Real>& state, const NearPair& pair, const Gap& gap, double target,
                     const Move& move) {
@@ -225,14 +230,14 @@ class Layers {
       for (std::size_t j = 0; j < i; ++j) size = std::max(size, (x[i] - x[j]).norm());
     }
     if (!(missing > 0 && shares > static_cast<double>(least_lever<Real>) * largest_w * whole)) return false;
-    missing = std::min(missing, largest_move * size * shares / largest_share);  // no corner farther than that
+    missing = std::min(missing, largest_move * size * shares / largest_share);  // no corner moves more
     for (std::size_t i = 0; i < 4; ++i)
       if (share[i] != 0) move(pair.vertices[i], x[i] + missing / shares * share[i] * normal);
     return true;
   }
 
-  // Replaces the members' motion by a rigid one with the same momenta (the angular one to first order in the
-  // angle). Pinned members carry the others with them.
+  // Replaces the members' motion by a rigid motion with the same momenta (the angular momentum to first order
+  // in the angle). Pinned members carry the free members with them.
   template <class Move>
   static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
     double mass = 0;
@@ -264,7 +269,7 @@ class Layers {
 
   double margin_;  // m
   NearPairs<Real> near_;
-  bool begun_ = false;  // this substep
+  bool begun_ = false;  // whether this substep has begun
 };
 
 template <class Real>
@@ -278,16 +283,16 @@ std::vector<Pass<Real>> compile(const SelfCollision& settings, const EffectInput
            [collision](Archive& state) { collision->archive(state); }}};
 }
 
-// Each element is near all that lie within the thickness, and is compared with them in each substep.
+// In each substep, each element is compared with all elements that lie within the thickness.
 std::optional<Doubt> doubt(const SelfCollision& settings, const DoubtInput& input) {
   constexpr double most = 2;  // edges
   const double edge = input.rest.mean_edge_length();
   if (!(settings.thickness > most * edge)) return std::nullopt;
   return Doubt{
       fmt::format(
-          "{}: a thickness of {:.3g} m is {:.2g} times the mean edge, so that each triangle is compared "
-          "with many others in every step (with 2.3 edges a sheet took 4 times as long as with 0.6). Set "
-          "thickness to about {:.2g} m, half an edge, or take fewer cells",
+          "{}: a thickness of {:.3g} m is {:.2g} times the mean edge length, so that each triangle is "
+          "compared with many other triangles in every step (at 2.3 edge lengths a sheet took 4 times as "
+          "long as at 0.6). Set thickness to about {:.2g} m (half an edge length), or use fewer cells",
           input.where, settings.thickness, settings.thickness / edge, 0.5 * edge),
       settings.thickness / edge, fmt::format("{:.2g} edges", settings.thickness / edge)};
 }
@@ -302,7 +307,7 @@ constinit const EffectKind SelfCollision::kind{
     .settings = table_of<SelfCollision>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .vertex_seconds = 1.5e-6,  // 0.6e-6 to 2.7e-6, the more the more it folds
+    .vertex_seconds = 1.5e-6,  // 0.6e-6 to 2.7e-6: the larger the more the cloth folds
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
     .doubt = erased<doubt>,

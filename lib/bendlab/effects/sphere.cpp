@@ -21,8 +21,8 @@ struct Centre {
 constexpr std::array own_fields = {
     field<&Sphere::centre>({.name = "centre", .unit = "m", .meaning = "centre of the ball"}),
     field<&Sphere::radius>(
-        {.name = "radius", .unit = "m", .meaning = "of the ball", .minimum = 0, .above = true}),
-    field<&Sphere::axis>({.name = "axis", .unit = "1", .meaning = "of the spin; of any length but zero"}),
+        {.name = "radius", .unit = "m", .meaning = "radius of the ball", .minimum = 0, .above = true}),
+    field<&Sphere::axis>({.name = "axis", .unit = "1", .meaning = "axis of the spin; any length but zero"}),
 };
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Sphere>, obstacle::spin_fields<Sphere>);

@@ -8,9 +8,9 @@
 // masses. Pins are infinite masses: with one pinned corner, the triangle turns about it. With two, only the
 // free corner moves, and the bounds are met after several projections, if the pinned edge allows it.
 //
-// Triangles are projected one after another, each on the result of the one before. A few projection sweeps
-// settle conflicts between neighbours; a whole sheet that is too long needs about the square of its width in
-// triangles, as with any such sweep.
+// Triangles are projected one after another, each on the result of the previous triangle. A few rounds settle
+// conflicts between neighbours. A whole sheet that is too long needs about as many rounds as the square of
+// its width in triangles, as with any method that projects triangles one by one.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,11 +27,11 @@ namespace {
 constexpr std::array fields = {
     field<&StrainLimiting::min>({.name = "min",
                                  .unit = "1",
-                                 .meaning = "smallest principal stretch; 0: none",
+                                 .meaning = "smallest allowed principal stretch; 0: no lower bound",
                                  .minimum = 0,
                                  .maximum = 1}),
     field<&StrainLimiting::max>(
-        {.name = "max", .unit = "1", .meaning = "largest principal stretch", .minimum = 1}),
+        {.name = "max", .unit = "1", .meaning = "largest allowed principal stretch", .minimum = 1}),
 };
 
 template <class Real>
@@ -127,7 +127,8 @@ bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Re
   return true;
 }
 
-// Sorted by their first corner: near in memory, and the same whatever the threads.
+// Sorted by their first corner, so that neighbours are near in memory and the order is the same for any
+// number of threads.
 template <class Real>
 std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
   const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());
@@ -168,8 +169,8 @@ constinit const EffectKind StrainLimiting::kind{
     .name = "strain_limiting",
     .summary = "no triangle's principal stretch leaves its bounds; keeps both momenta",
     .source =
-        "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; ours: the "
-        "turn that keeps angular momentum",
+        "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; the turn "
+        "that keeps angular momentum is ours",
     .settings = table_of<StrainLimiting>(fields),
     .needs_projection = true,
     .keeps_momentum = true,

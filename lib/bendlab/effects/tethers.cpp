@@ -1,4 +1,4 @@
-// Tethers: no vertex gets farther from a pin than the cloth between them is long.
+// Tethers: no vertex gets farther from a pin than the length of cloth between them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,8 +18,8 @@ constexpr std::array fields = {
         {.name = "per_vertex",
          .unit = "1",
          .meaning =
-             "at most so many tethers of a vertex: to the nearest vertex of each connected group of pins, "
-             "nearest groups first",
+             "largest number of tethers of a vertex. Each tether goes to the nearest vertex of a connected "
+             "group of pins; the nearest groups come first",
          .minimum = 1,
          .maximum = 64}),
     field<&Tethers::slack>({.name = "slack",
@@ -29,8 +29,8 @@ constexpr std::array fields = {
     field<&Tethers::distance>(
         {.name = "distance",
          .meaning =
-             "length of the cloth between vertex and pin: along the rest surface, or straight (too short "
-             "where the rest shape is curved or has holes)",
+             "how the length of cloth between vertex and pin is measured: geodesic, along the rest surface, "
+             "or straight (too short where the rest shape is curved or has holes)",
          .choices = distance_names}),
 };
 
@@ -66,7 +66,7 @@ GeodesicDistances straight_distances(const RestMesh& rest, std::span<const int> 
   return result;
 }
 
-// Ordered by vertex, with the tether to the nearest pin last: what comes last is met exactly.
+// Ordered by vertex, with the tether to the nearest pin last: the last tether is satisfied exactly.
 std::vector<Tether> tethers_of(const Tethers& settings, const EffectInput& input) {
   const bool straight = settings.distance == Tethers::Distance::straight;
   std::vector<GeodesicDistances> from;
@@ -111,7 +111,7 @@ std::vector<Pass<Real>> compile(const Tethers& settings, const EffectInput& inpu
 constinit const EffectKind Tethers::kind{
     .name = "tethers",
     .summary =
-        "long-range attachments: no vertex gets farther from a pin than the cloth between them is long",
+        "long-range attachments: no vertex gets farther from a pin than the length of cloth between them",
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
     .settings = table_of<Tethers>(fields),
     .needs_projection = true,

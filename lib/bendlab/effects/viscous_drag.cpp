@@ -16,14 +16,14 @@ constexpr std::array fields = {
         {.name = "coefficient",
          .unit = "N s/m³",
          .meaning =
-             "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area; a "
-             "free sheet of ρ kg/m² falls at ρ g/c in the end, with pbd by g h/2 slower in substeps of h",
+             "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area. A free "
+             "sheet of ρ kg/m² finally falls at ρ g/c; with pbd and substeps of h it falls slower by g h/2",
          .minimum = 0}),
 };
 
-// Without other forces v' = -(c A / m) v has the solution v exp(-c A h / m): it reverses no velocity, however
-// long the step. Gravity is added before it in one piece, so a falling sheet ends at g h / (exp(k h) - 1)
-// with k = c A / m: less than g / k by the fraction k h / 2.
+// Without other forces, v' = -(c A / m) v has the solution v exp(-c A h / m), which reverses no velocity,
+// however long the step. Gravity is added before the drag, in one piece per substep. So a falling sheet ends
+// at the speed g h / (exp(k h) - 1) with k = c A / m, which is less than g / k by the fraction k h / 2.
 template <class Real>
 std::vector<Pass<Real>> compile(const ViscousDrag& settings, const EffectInput& input) {
   if (settings.coefficient == 0) return {};
@@ -33,12 +33,12 @@ std::vector<Pass<Real>> compile(const ViscousDrag& settings, const EffectInput& 
   for (int v = 0; v < input.rest.vertex_count(); ++v)
     drag[input.permuted(v)] = listed[static_cast<std::size_t>(v)];
   std::vector<Real> drag_at(drag.size());
-  std::ranges::transform(drag, drag_at.begin(), [](double each) { return static_cast<Real>(each); });
+  std::ranges::transform(drag, drag_at.begin(), [](double kg_per_s) { return static_cast<Real>(kg_per_s); });
   return {{"viscous_drag", Stage::damp,
            [drag_at = std::move(drag_at), lost = std::vector<Real>(),
             of_substep = Real(0)](PassContext<Real>& context) mutable {
              State<Real>& state = context.state;
-             if (std::exchange(of_substep, context.substep) != context.substep) {  // substeps are seldom cut
+             if (std::exchange(of_substep, context.substep) != context.substep) {  // substeps seldom change
                lost.resize(drag_at.size());
                for (std::size_t v = 0; v < lost.size(); ++v)
                  lost[v] = std::expm1(-drag_at[v] * state.position[v].w * context.substep);

@@ -36,33 +36,36 @@ constexpr std::array fields = {
          .unit = "m/s",
          .meaning =
              "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it "
-             "is listed: on the velocities at the start of the substep. So terminal velocities are exact, "
-             "unless the cloth would gain more speed in a substep than that"}),
+             "is listed, on the velocities at the start of the substep. So terminal velocities are exact, "
+             "unless the cloth would gain more than its terminal velocity in one substep"}),
     field<&Wind::air_density>({.name = "air_density",
                                .unit = "kg/m³",
-                               .meaning = "ρ; the default is dry air at 20 °C and 101325 Pa",
+                               .meaning = "density of the air, ρ; the default is dry air at 20 °C and 101325 "
+                                          "Pa",
                                .minimum = 0}),
     field<&Wind::drag_coefficient>(
         {.name = "drag_coefficient",
          .unit = "1",
-         .meaning = "C_D, of a flat plate across the flow: 1.28 (NASA Glenn, kite aerodynamics)",
+         .meaning = "drag coefficient C_D; a flat plate across the flow has 1.28 (NASA Glenn, kite "
+                    "aerodynamics)",
          .minimum = 0,
          .above = true}),
     field<&Wind::lift_coefficient>(
         {.name = "lift_coefficient",
          .unit = "1",
-         .meaning = "C_L; at 45 degrees, where it is greatest, the lift is that of a wing with half of it",
+         .meaning = "lift coefficient C_L; at 45 degrees, where the lift is greatest, it equals the lift of "
+                    "a wing with the coefficient C_L/2",
          .minimum = 0}),
     field<&Wind::gust_amplitude>(
         {.name = "gust_amplitude",
          .unit = "1",
          .meaning =
              "standard deviation of each component of the air's velocity, as a fraction of the mean speed "
-             "(turbulence intensity); it never exceeds 2.01 times that",
+             "(turbulence intensity); the deviation never exceeds 2.01 times that",
          .minimum = 0}),
     field<&Wind::gust_time>({.name = "gust_time",
                              .unit = "s",
-                             .meaning = "time from one gust to the next, which is independent of it",
+                             .meaning = "time from one gust to the next; the two gusts are independent",
                              .minimum = 0,
                              .above = true}),
     field<&Wind::gusts_travel>(
@@ -72,7 +75,7 @@ constexpr std::array fields = {
              "air has one velocity everywhere"}),
     field<&Wind::seed>({.name = "seed",
                         .unit = "1",
-                        .meaning = "seed of the gusts: the same bits for the same seed",
+                        .meaning = "seed of the gusts; the same seed gives the same bits",
                         .minimum = 0}),
 };
 
@@ -89,8 +92,8 @@ struct Air {
   Vector3 velocity_at(double time) const {
     return gusts.deviation > 0 ? Vector3(mean + gusts.at(time)) : mean;
   }
-  // The air at `point` now was on the plane through the world's origin across the wind point·mean / |mean|²
-  // ago.
+  // The air that is now at `point` crossed the plane through the world's origin perpendicular to the wind a
+  // time point·mean / |mean|² ago.
   Vector3 velocity_at(double time, const Vector3& point) const {
     return velocity_at(time - point.dot(mean) / mean.squaredNorm());
   }
@@ -102,7 +105,7 @@ class Blowing {
 
   struct Triangle {
     std::array<std::uint32_t, 3> corners;  // permuted
-    std::array<Real, 3> share;             // of each corner's mass: the triangle's part of the area around it
+    std::array<Real, 3> share;             // of each corner's mass: the triangle's part of the corner's area
   };
 
   Air air_;
@@ -131,7 +134,8 @@ class Blowing {
     }
   }
 
-  // All triangles see the velocities from before, so their order matters for rounding only; it is fixed.
+  // All triangles see the velocities from before, so the order of triangles matters only for rounding; the
+  // order is fixed.
   void operator()(PassContext<Real>& context) {
     State<Real>& state = context.state;
     std::fill(impulse_.begin(), impulse_.end(), Vector::Zero());
@@ -187,7 +191,7 @@ bool idle(const Wind& settings) {
   return settings.air_density == 0;
 }
 
-// Wind of air at rest only takes energy.
+// Air at rest only takes energy.
 bool drives(const Wind& settings) {
   return !settings.velocity.isZero(0) || settings.gust_amplitude != 0;
 }
@@ -200,9 +204,10 @@ double largest_force(const Wind& settings, double area) {
          (settings.drag_coefficient + settings.lift_coefficient);
 }
 
-// The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth
-// at the speed u with respect to the air is slowed within τ = ρ / (½ ρ_air C_D u): a substep h of more than τ
-// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster, by 23 % at h = 1.2 τ.
+// In a substep the wind takes at most the cloth's whole speed relative to the air, so that cloth does not fly
+// up against the wind. Cloth at the speed u relative to the air is slowed within τ = ρ / (½ ρ_air C_D u). In
+// a substep h longer than τ the force is cut: a sheet at its terminal speed (τ = u/g) falls faster than it
+// should, by 23 % at h = 1.2 τ.
 std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
   const double drag = 0.5 * settings.air_density * settings.drag_coefficient,
                terminal = std::sqrt(input.density * input.gravity / drag);
@@ -212,8 +217,8 @@ std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
   constexpr double wanted = 0.5;  // substeps
   const double times = input.substep / slowed_within;
   return Doubt{
-      fmt::format("a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed "
-                  "within {:.2g} s: its force is cut. Take about {} /solver/substeps",
+      fmt::format("a substep of {:.2g} s is too long for the wind, which brings this cloth to the wind's "
+                  "speed within {:.2g} s: the force of the wind is cut. Set /solver/substeps to about {}",
                   input.substep, slowed_within,
                   static_cast<long>(std::ceil(input.substeps * times / wanted))),
       times, fmt::format("{:.2g} times", times)};

@@ -29,7 +29,7 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::string_view prefix = "run.claim.";
-constexpr auto beat = 5s;  // between two heartbeats: a lease has many
+constexpr auto beat = 5s;  // between two heartbeats, much shorter than a lease
 
 std::string first_line(const fs::path& file) {
   std::string line;
@@ -44,9 +44,9 @@ std::string host() {
   return name;
 }
 
-// When a process began, in ticks since the machine did; "" if there is no such process, or one that has ended
-// and that its parent has not asked about yet. A process's number is used again, but not with the same
-// beginning.
+// When a process began, in clock ticks since the machine was started; "" if there is no such process or if it
+// has ended (it may still be listed until its parent has waited for it). A process's number is used again,
+// but not with the same beginning.
 std::string beginning_of(long process) {
   const std::string line = first_line(fmt::format("/proc/{}/stat", process));
   const std::size_t end_of_name = line.rfind(')');
@@ -55,29 +55,29 @@ std::string beginning_of(long process) {
   std::string state, field;
   fields >> state;
   if (state == "Z" || state == "X") return "";
-  constexpr int beginning = 22, before = 3;  // proc(5): name and state are the second and third
+  constexpr int beginning = 22, before = 3;  // proc(5): name and state are fields 2 and 3
   for (int i = before; i < beginning && fields >> field; ++i) {
   }
   return field;
 }
 
 std::string namespace_of_processes() {
-  std::error_code none;
-  return fs::read_symlink("/proc/self/ns/pid", none).string();
+  std::error_code ignored;
+  return fs::read_symlink("/proc/self/ns/pid", ignored).string();
 }
 
-// Processes can be looked up in this machine since its start, and in this container, alone.
+// Names this start of this machine, and this container: processes can be looked up only there.
 const std::string& where_processes_are_known() {
   static const std::string here =
       first_line("/proc/sys/kernel/random/boot_id") + " " + namespace_of_processes();
   return here;
 }
 
-// What a claim's file says.
+// The content of a claim's file.
 struct Owner {
   std::string token, host, place, beginning;
   long process = 0;
-  std::string count;  // of heartbeats
+  std::string count;  // number of heartbeats
 
   static Owner self(std::string token) {
     return {std::move(token),       bendlab::host(), where_processes_are_known(),
@@ -86,7 +86,7 @@ struct Owner {
   std::string text(std::uint64_t beats) const {
     return fmt::format("{}\n{}\n{}\n{}\n{}\n{:020}\n", token, host, process, beginning, place, beats);
   }
-  // Empty if the file is not there (any more).
+  // An empty owner if the file does not exist (any more).
   static Owner read(const fs::path& file) {
     Owner owner;
     std::ifstream stream(file);
@@ -104,7 +104,7 @@ struct Owner {
   std::string name() const { return fmt::format("process {} on {}", process, host); }
 };
 
-// n of run.claim.<n>, or 0.
+// n if the name is run.claim.<n>, else 0.
 int number_of(const std::string& name) {
   int number = 0;
   if (!name.starts_with(prefix)) return 0;
@@ -132,14 +132,15 @@ fs::path claim_file(const fs::path& folder, int number) {
   return folder / fmt::format("{}{}", prefix, number);
 }
 
-// Whether this call made the file. It has its whole text from the start: it is linked to its name when it is
-// written, where the file system has links.
+// Makes the file unless it exists. Returns whether this call made it. The file has its whole text from the
+// start: a draft is written and then linked to the file's name, if the file system has links.
 bool make(const fs::path& file, const std::string& text, const std::string& token) {
   const fs::path draft = file.parent_path() / ("run.claim-" + token);
   write_new(draft, text);
   const int linked = ::link(draft.c_str(), file.c_str()), code = errno;
   struct stat status {};
-  // The answer of a network's disk may be lost: the number of links tells.
+  // The answer of a network file system may be lost. Then the number of links shows whether the link was
+  // made.
   const bool made = linked == 0 || (::stat(draft.c_str(), &status) == 0 && status.st_nlink == 2);
   ::unlink(draft.c_str());
   if (made || code == EEXIST) return made;
@@ -148,7 +149,7 @@ bool make(const fs::path& file, const std::string& text, const std::string& toke
   return write_new(file, text, Existing::is_no_error);
 }
 
-// Counts for all claims of the process.
+// Writes the heartbeats of all claims of this process.
 class Heart {
  public:
   static Heart& of_this_process() {
@@ -185,7 +186,7 @@ class Heart {
   std::jthread thread_;
 };
 
-// Watches one owner after the other for as long as a lease.
+// Watches the owners of a folder, each of them for the time of a lease.
 class Watch {
  public:
   explicit Watch(std::chrono::duration<double> lease) : lease_(lease) {}
@@ -200,7 +201,7 @@ class Watch {
     }
     return Clock::now() - since_ > lease_;
   }
-  // Of an owner for which is_over() said no.
+  // Whether the owner is known to live. Call it after is_over() has returned false.
   bool lives(const Owner& owner) const {
     return !owner.token.empty() && (owner.is_known_here() || has_beaten_);
   }
@@ -230,14 +231,15 @@ std::unique_ptr<Claim> Claim::of(const fs::path& folder, const Options& options)
   Owner self = Owner::self(unique_token());
   Watch watch(options.lease);
   auto pause = 1ms;
-  for (bool said = false;;) {
+  for (bool announced = false;;) {
     const std::vector<int> numbers = numbers_in(folder);
     const int last = numbers.empty() ? 0 : numbers.back();
     const Owner owner = last > 0 ? Owner::read(claim_file(folder, last)) : Owner{};
     if (last == 0 || watch.is_over(owner)) {
       const fs::path file = claim_file(folder, last + 1);
       if (make(file, self.text(0), self.token)) {
-        // A folder's list may have been an old one: whoever made a higher number has it.
+        // The list of files may have been out of date: the folder belongs to the process that made the
+        // highest number.
         if (highest_in(folder) <= last + 1) {
           for (const int number : numbers) ::unlink(claim_file(folder, number).c_str());
           Heart::of_this_process().begin(file, self);
@@ -251,7 +253,8 @@ std::unique_ptr<Claim> Claim::of(const fs::path& folder, const Options& options)
     if (options.when_owned == WhenOwned::leave ||
         (options.when_owned == WhenOwned::leave_living && watch.lives(owner)))
       return nullptr;
-    if (!said && options.waiting_for && !owner.token.empty()) options.waiting_for(owner.name()), said = true;
+    if (!announced && options.waiting_for && !owner.token.empty())
+      options.waiting_for(owner.name()), announced = true;
     std::this_thread::sleep_for(pause);
     pause = std::min(pause * 2, std::chrono::milliseconds(250));
   }

@@ -1,10 +1,11 @@
 // Which process may write into a folder: at most one at a time, on one machine or on many that share a disk.
 //
-//   run.claim.<n>     made by link() or O_EXCL, both atomic on NFS, too; the highest n counts
+//   run.claim.<n>     made by link() or O_EXCL, which are atomic on NFS, too; the highest n counts
 //
-// Its text names the owner and counts up: that is the heartbeat. An owner that is seen to be dead (its
-// process on this machine has ended), or whose count stands still for a lease, is succeeded by who makes
-// n + 1. Clocks of different machines are not compared: each waits by its own.
+// The file's text names the owner and holds a count that grows, the heartbeat. An owner loses the folder if
+// its process on this machine has ended, or if its count stands still for the time of a lease. Then the
+// process that makes the file n + 1 is the new owner. Clocks of different machines are not compared: every
+// process waits by its own clock.
 #pragma once
 
 #include <chrono>
@@ -15,29 +16,31 @@
 
 namespace bendlab {
 
-/// Unlike any other made on this machine or another: "<host>-<process>-<random>-<count>".
+/// A token that is made only once, on this machine and on all others: "<host>-<process>-<random>-<count>".
 std::string unique_token();
 
 /// What to do about a folder that another process owns.
 enum class WhenOwned {
-  wait,          ///< until it has none, or a dead owner
-  leave_living,  ///< wait until the owner is seen to live, or to be dead
-  leave,         ///< unless its owner is known to be dead at once
+  wait,          ///< wait until the folder has no owner or a dead owner
+  leave_living,  ///< wait until it is known whether the owner lives; leave the folder to a living owner
+  leave,         ///< leave the folder at once, unless its owner is known to be dead
 };
 
-/// A folder that is claimed by one owner in one process. Released when it ends.
+/// A claim of one owner in one process to a folder. The folder is released when the object is destroyed.
 class Claim {
  public:
   struct Options {
-    /// A silent owner on another machine is succeeded after this time.
+    /// After this time, the folder of a silent owner on another machine is taken over.
     std::chrono::duration<double> lease = std::chrono::seconds(60);
-    std::function<bool()> give_up = {};                        ///< asked while waiting; true: no claim
-    WhenOwned when_owned = WhenOwned::wait;                    ///< left: no claim
+    /// Called while waiting. If it returns true, the wait ends without a claim.
+    std::function<bool()> give_up = {};
+    /// There is no claim to a folder that is left to its owner.
+    WhenOwned when_owned = WhenOwned::wait;
     std::function<void(const std::string&)> waiting_for = {};  ///< called once with the owner's name
   };
 
-  /// Waits until no other owner, thread or process, has the folder. Returns null if `give_up` says so, or if
-  /// the folder is left to its owner. Throws RunFileError if the folder cannot be written.
+  /// Waits until no other owner, be it a thread or a process, has the folder. Returns null if `give_up` says
+  /// so, or if the folder is left to its owner. Throws RunFileError if the folder cannot be written.
   static std::unique_ptr<Claim> of(const std::filesystem::path& folder, const Options& options);
   static std::unique_ptr<Claim> of(const std::filesystem::path& folder) { return of(folder, Options{}); }
 
@@ -45,8 +48,8 @@ class Claim {
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
 
-  /// Whether it is still ours: an owner that was silent for a lease, in a machine that slept, may have lost
-  /// it.
+  /// Whether the folder is still ours. If the machine slept for longer than a lease, another process may have
+  /// taken it over.
   bool holds() const;
   const std::string& token() const { return token_; }
 
@@ -57,12 +60,12 @@ class Claim {
   std::string token_;
 };
 
-/// Changes while the owner of a folder lives: compare two, a lease apart. Empty if nobody alive seems to own
-/// it.
+/// A text that changes while the owner of a folder lives: compare two texts, taken a lease apart. Empty if
+/// the folder seems to have no living owner.
 std::string heartbeat_in(const std::filesystem::path& folder);
 
-/// "process 123 on host h", if somebody alive seems to own the folder, else "". Does not wait: an owner on
-/// another machine is taken to be alive.
+/// "process 123 on <host>" if the folder seems to have a living owner, else "". Does not wait, so an owner on
+/// another machine is assumed to be alive.
 std::string owner_of(const std::filesystem::path& folder);
 
 }  // namespace bendlab

@@ -37,9 +37,9 @@ RunFileError system_error(const fs::path& path, const std::string& what) {
 
 void wait_for_disk(const fs::path& path, int flags) {
   const Descriptor descriptor(path, flags);
-  // A folder on some network file systems refuses fsync with EINVAL: then there is nothing to wait for.
+  // Some network file systems refuse fsync of a folder with EINVAL: then there is nothing to wait for.
   if (descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL))
-    throw system_error(path, "can't be brought to the disk");
+    throw system_error(path, "can't be flushed to the disk");
 }
 
 std::string advice(int code) {
@@ -47,8 +47,8 @@ std::string advice(int code) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "Free some space or choose another folder, and run again; what was written before stays "
-             "readable";
+      return "Free some space or choose another folder, and run again; the data that were written "
+             "before stay readable";
     case EACCES:
     case EPERM:
     case EROFS:
@@ -73,7 +73,7 @@ void make_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
-    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out",
+    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another folder with --out",
                                    folder.string(), error.message()));
 }
 

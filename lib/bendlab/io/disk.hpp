@@ -1,4 +1,4 @@
-// Errors of the disk with advice, and a rename that survives a power cut.
+// Disk errors with advice, and a rename that survives a power cut.
 #pragma once
 
 #include <filesystem>
@@ -13,35 +13,37 @@ namespace bendlab {
 RunFileError file_error(const std::filesystem::path& path, const std::string& what, const std::string& reason,
                         int code);
 
-/// With those above it. Throws RunFileError.
+/// Makes the folder and its parent folders. Throws RunFileError.
 void make_folder(const std::filesystem::path& folder);
 
 /// `file` with the suffix `.part`.
 std::filesystem::path part_path(const std::filesystem::path& file);
 
-/// Throws RunFileError unless it is a file, no folder or pipe, and can be opened for reading.
+/// Throws RunFileError unless `file` is a regular file (no folder or pipe) and can be opened for reading.
 void require_readable(const std::filesystem::path& file);
 
-/// Removes a file that a writer left, or a link of that name. Throws RunFileError if a writer has it open.
+/// Removes a file that a writer left behind, or a link of that name. Throws RunFileError if a writer has the
+/// file open.
 void remove_abandoned(const std::filesystem::path& file);
 
 enum class Existing { is_an_error, is_no_error };
 
-/// Makes a file with this text. Never opens one that exists, nor what a link of that name points to: returns
-/// false then, or throws RunFileError, as it does for every other failure.
+/// Makes a file with this text. If the name exists, as a file or a link, it is not touched: then the function
+/// returns false, or throws RunFileError if that is an error (`existing`). Throws RunFileError for every
+/// other failure.
 bool write_new(const std::filesystem::path& file, std::string_view text,
                Existing existing = Existing::is_an_error);
 
-/// Writes over the first bytes of a file that exists. Failures do nothing.
+/// Overwrites the first bytes of an existing file. Failures are ignored.
 void overwrite(const std::filesystem::path& file, std::string_view text) noexcept;
 
 enum class Wait { for_disk, no };
 
-/// Replaces a file in one step: readers see the old text or the new one, also after a power cut. Several
-/// processes may do so at once. A link of that name is replaced, not followed. Throws RunFileError.
+/// Replaces a file in one step: readers see the old text or the new text, also after a power cut. Several
+/// processes may do this at once. A link of that name is replaced, not followed. Throws RunFileError.
 void replace_file(const std::filesystem::path& file, std::string_view text, Wait wait = Wait::for_disk);
 
-/// Waits until the disk has the file. Throws RunFileError.
+/// Waits until the file is on the disk. Throws RunFileError.
 void synchronise(const std::filesystem::path& file);
 
 /// Flushes `part` to the disk, renames it to `file` and flushes the rename. Throws RunFileError.

@@ -43,11 +43,11 @@ void FrameWriter::synchronise() {
 }
 
 void FrameWriter::finish(const RunFooter& footer) {
-  const bool known = [&] {
+  const bool already_reported = [&] {
     const std::scoped_lock lock(mutex_);
     return reported_;
   }();
-  if (!known) drain();
+  if (!already_reported) drain();
   stop();
   writer_.finish(footer);
 }

@@ -18,32 +18,32 @@ namespace bendlab {
 
 class FrameWriter {
  public:
-  static constexpr std::size_t capacity = 4;  ///< frames: enough to bridge a slow write, few enough to hold
+  static constexpr std::size_t capacity = 4;  ///< frames: enough to bridge a slow write, few enough to keep
 
   /// `prepare` is called on the writer thread before a frame is written, one frame at a time in order: it
-  /// fills metrics and cell fields from time and positions. The caller may use what it accesses only after
-  /// drain(). Throws RunFileError if the file can't be created.
+  /// fills metrics and cell fields from time and positions. The caller may touch the data that `prepare`
+  /// accesses only after drain(). Throws RunFileError if the file can't be created.
   FrameWriter(const std::filesystem::path& path, const RunHeader& header,
               std::function<void(Frame&)> prepare = {}, const std::filesystem::path& part = {},
               const EarlierFrames& earlier = {}, const InMemory& first = {});
 
-  /// Writes what is queued and closes. Without finish() the .part file stays.
+  /// Writes the queued frames and closes the file. Without finish() the .part file stays.
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
   /// Hands a frame over; waits while the queue is full. Throws the exception that stopped the thread, if any:
-  /// a RunFileError, or one of `prepare`. The frames before the failing one are in the file.
+  /// a RunFileError, or an exception of `prepare`. The frames before the failing frame are in the file.
   void push(Frame frame);
 
   /// Waits until every frame pushed is in the file. Throws as push() does.
   void drain();
 
-  /// drain(), and waits until the disk has what is in the file.
+  /// Calls drain(), and waits until all written frames are on the disk.
   void synchronise();
 
-  /// drain(), then RunFileWriter::finish(). If an exception of `prepare` was already thrown, finishes the
-  /// file with the frames before it.
+  /// Calls drain(), then RunFileWriter::finish(). If the caller already got an exception of `prepare`,
+  /// finishes the file with the frames before it.
   void finish(const RunFooter& footer);
 
   std::uint64_t frames() const;  ///< written so far
@@ -57,7 +57,7 @@ class FrameWriter {
   RunFileWriter writer_;
   std::function<void(Frame&)> prepare_;
 
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   std::condition_variable changed_;
   std::deque<Frame> queue_;
   bool busy_ = false, stopping_ = false, reported_ = false;
@@ -65,7 +65,7 @@ class FrameWriter {
   std::uint64_t frames_ = 0;
   double cpu_s_ = 0;
 
-  std::thread thread_;  // last: it uses all of the above
+  std::thread thread_;  // last, because the thread uses all members above
 };
 
 }  // namespace bendlab

@@ -28,10 +28,11 @@ Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = null
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose};
 }
 
-// HDF5 1.10 crashes where it finds no memory for the cache of a file, half a megabyte of pointers and more.
+// HDF5 1.10 crashes if it finds no memory for the cache of a file, which is half a megabyte of pointers and
+// more.
 void require_memory_of_cache() {
   constexpr std::size_t bytes = 4 << 20;
-  void* const volatile memory = std::malloc(bytes);  // volatile: else it may be optimised away
+  void* const volatile memory = std::malloc(bytes);  // volatile: else malloc may be optimised away
   if (memory == nullptr) throw std::bad_alloc();
   std::free(memory);
 }
@@ -39,8 +40,8 @@ void require_memory_of_cache() {
 Handle file_access() {
   require_memory_of_cache();
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // A lock keeps other processes from a file that is being written. It is optional: some file systems have
-  // none.
+  // A lock keeps other processes away from a file that is being written. Locking is optional, because some
+  // file systems have no locks.
   check(H5Pset_file_locking(access, true, true));
   return access;
 }
@@ -55,7 +56,7 @@ Failure system_failure(int code) {
   return Failure(std::system_category().message(code), code);
 }
 
-/// Creation list of every dataset: without time stamps, so that equal runs give equal bytes.
+/// Property list for creating datasets: without time stamps, so that equal runs give equal bytes.
 Handle dataset_creation() {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(creation, false));
@@ -64,11 +65,11 @@ Handle dataset_creation() {
 
 bool is_small = false;  // within a SmallScope; the Lock guards it
 
-/// Creation list of groups, the root among them: links and attributes stay in the group's own header, however
-/// many there are. An index beside it would take more space than a run of four frames.
-/// `links`: how many there will be, for which room is taken at once.
+/// Property list for creating groups, the root among them. Links and attributes stay in the group's own
+/// header, however many there are: a separate index would take more space than a run of four frames. The
+/// header gets room for `links` links at once.
 Handle group_creation(hid_t kind, unsigned links) {
-  constexpr unsigned most = 10000, letters = 9;  // of a usual name
+  constexpr unsigned most = 10000, letters = 9;  // in a usual name
   Handle creation(H5Pcreate(kind), H5Pclose);
   check(H5Pset_est_link_info(creation, links, letters));
   check(H5Pset_link_phase_change(creation, most, most));
@@ -79,8 +80,9 @@ Handle group_creation(hid_t kind, unsigned links) {
 
 /// Datasets created in this scope have the format of HDF5 1.10. Its chunk index is an extensible array, whose
 /// entries stay where they were written. The default index is a B-tree: its nodes split every 32 chunks, and
-/// a process that is killed between the writes of the halves loses a dataset (13 of 1500 kills of a run that
-/// only writes). The superblock stays an old one, because the newest refuses to open after a crash.
+/// if a process is killed between the writes of both halves, a dataset is lost (in 13 of 1500 kills of a run
+/// that only writes). The superblock keeps an old version, because a file with the newest version refuses to
+/// open after a crash.
 class ExtensibleArrayScope {
  public:
   explicit ExtensibleArrayScope(hid_t object) : file_(H5Iget_file_id(object), H5Fclose) {
@@ -102,8 +104,8 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, hid_t sp
 }  // namespace
 
 Lock::Lock() : guard_(library_mutex()) {
-  // Files are closed by their handles. On a full disk that fails, and the library's own attempt at the end of
-  // the process would crash.
+  // Handles close the files. On a full disk closing fails, and the library's own attempt to close the file at
+  // the end of the process would crash.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -113,14 +115,15 @@ Failure last_failure() {
     std::string text;
     int code = 0;
   } cause;
-  // Goes from the call that failed first up to ours: the first text is the cause, unless a text has an errno.
+  // Goes from the call that failed first up to our call. The first text is the cause, unless a text contains
+  // an errno.
   const auto visit = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
-    auto& found = *static_cast<Cause*>(out);
+    auto& recorded = *static_cast<Cause*>(out);
     const std::string text = error->desc ? error->desc : "";
-    if (found.text.empty()) found.text = text;
+    if (recorded.text.empty()) recorded.text = text;
     const std::string key = "errno = ";
-    if (const auto at = text.find(key); at != std::string::npos && found.code == 0)
-      found.code = std::atoi(text.c_str() + at + key.size());
+    if (const auto at = text.find(key); at != std::string::npos && recorded.code == 0)
+      recorded.code = std::atoi(text.c_str() + at + key.size());
     return 0;
   };
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, visit, &cause);
@@ -131,8 +134,8 @@ Failure last_failure() {
 
 Handle create_file(const std::string& path) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  // No small piece of metadata crosses a memory page: a process that is killed during a write may leave the
-  // first of two pages new and the second old, so that the checksum fails.
+  // Keeps every small piece of metadata within a memory page: a process that is killed during a write may
+  // leave the first of two pages new and the second old, so that the checksum of the piece fails.
   check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_PAGE, false, 1));
   check(H5Pset_file_space_page_size(creation, 4096));
   return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, file_access()), H5Fclose};
@@ -144,11 +147,11 @@ Handle create_small_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fapl_core(access, growth, true));
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST));
-  // Whatever is written gets its own place, without blocks that are larger than what comes to lie in them.
+  // Every piece of data gets a place of exactly its own size, instead of a share of a larger block.
   check(H5Pset_meta_block_size(access, 0));
   check(H5Pset_small_data_block_size(access, 0));
   Handle file(H5Fcreate(path.c_str(), H5F_ACC_EXCL, group_creation(H5P_FILE_CREATE, 4), access), H5Fclose);
-  // From HDF5 1.10 on a dataset of one chunk needs no index. The superblock stays one of 1.8.
+  // From HDF5 1.10 on, a dataset of one chunk needs no index. The superblock keeps the version of 1.8.
   check(H5Fset_libver_bounds(file, H5F_LIBVER_V110, H5F_LIBVER_LATEST));
   return file;
 }
@@ -177,7 +180,7 @@ Handle open_with_all_bytes(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   const auto failed = [&](int code) {
     const char* const named = std::getenv("TMPDIR");
-    return Failure(fmt::format("a copy of it in {}, the folder for temporary files (TMPDIR), fails: {}",
+    return Failure(fmt::format("it can't be copied to {}, the folder for temporary files (TMPDIR): {}",
                                named ? named : folder.c_str(), system_failure(code).what()));
   };
   if (error) throw failed(error.value());
@@ -194,7 +197,7 @@ Handle open_with_all_bytes(const std::string& path) {
   // The copy got the permissions of the original, which may be read-only.
   if (chmod(copy.c_str(), S_IRUSR | S_IWUSR) != 0) throw failed(errno);
   Handle file(H5Fopen(copy.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
-  check(H5Fincrement_filesize(file, 0));  // to the end of its bytes
+  check(H5Fincrement_filesize(file, 0));  // the stated end becomes the end of its bytes
   return file;
 }
 
@@ -209,7 +212,8 @@ void require_room(hid_t file, std::uint64_t bytes) {
 }
 
 void flush(hid_t file) {
-  // The superblock stores the end of the file, and a shorter file doesn't open. So the file grows first.
+  // The superblock stores the end of the file, and a file that is shorter doesn't open. So the file is
+  // lengthened first.
   hsize_t end = 0;
   struct stat status {};
   check(H5Fget_filesize(file, &end));
@@ -270,10 +274,10 @@ void write_ascii_attribute(hid_t object, const std::string& name, const std::str
 
 namespace {
 
-/// Of a small file's array of up to 32 KiB: more takes a millisecond.
+/// For an array of up to 32 KiB in a small file. A larger array would take a millisecond.
 void compress_small(hid_t creation, hid_t type, std::span<const hsize_t> shape, std::size_t bytes) {
-  constexpr std::size_t in_header = 96;  // bytes; a chunk costs 60 more, which compressing has to gain
-  check(H5Pset_dset_no_attrs_hint(creation, true));  // else 200 bytes are kept free for attributes
+  constexpr std::size_t in_header = 96;  // bytes; a chunk takes 60 more, which compression has to save
+  check(H5Pset_dset_no_attrs_hint(creation, true));  // else 200 bytes are reserved for attributes
   check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
   if (bytes == 0) return;
   if (bytes <= in_header) {
@@ -282,17 +286,17 @@ void compress_small(hid_t creation, hid_t type, std::span<const hsize_t> shape, 
   }
   check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
   // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many
-  // of them stay as they are from frame to frame, and so are repeated bytes.
+  // of them are the same from frame to frame, so their bytes repeat without sorting.
   if (H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) > 1) check(H5Pset_shuffle(creation));
   check(H5Pset_deflate(creation, 9));
 }
 
 void compress_large(hid_t creation, std::span<const hsize_t> shape) {
-  constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
+  constexpr hsize_t rows_per_chunk = 65536;  // below HDF5's limit of 4 GiB, and worth compressing
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
   chunk[0] = std::min(chunk[0], rows_per_chunk);
   check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-  check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
+  check(H5Pset_shuffle(creation));  // vertex numbers compress better with bytes sorted by significance
   check(H5Pset_deflate(creation, 1));
 }
 
@@ -305,7 +309,7 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
   for (const hsize_t length : shape) bytes *= length;
   if (is_small && bytes <= 32768)
     compress_small(creation, type, shape, bytes);
-  else if (compression == Compression::always && shape[0] > 1024)  // fewer are not worth an index
+  else if (compression == Compression::always && shape[0] > 1024)  // a smaller array is not worth an index
     compress_large(creation, shape);
   const Handle dataset(
       H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
@@ -322,7 +326,7 @@ std::vector<hsize_t> shape_of(hid_t dataset) {
 
 namespace {
 
-// A block of a dataset of one or two dimensions.
+// Reads a block of a dataset of one or two dimensions.
 void read_block(hid_t dataset, hid_t type, const std::array<hsize_t, 2>& start,
                 std::span<const hsize_t> shape, void* values) {
   const Handle in_file(H5Dget_space(dataset), H5Sclose);
@@ -348,16 +352,17 @@ std::vector<double> read_column(hid_t dataset, hsize_t column, hsize_t count) {
 Series::Series(hid_t parent, const std::string& name, const Layout& layout)
     : rows_(layout.rows), columns_(layout.columns) {
   const std::size_t rank = columns_ ? 2 : 1;
-  const std::array<hsize_t, 2> none = {0, columns_}, limits = {H5S_UNLIMITED, columns_};
+  const std::array<hsize_t, 2> initial = {0, columns_}, limits = {H5S_UNLIMITED, columns_};
   const std::array<hsize_t, 2> chunk = {std::max<hsize_t>(1, rows_ * layout.frames_per_chunk), columns_};
   const Handle creation = dataset_creation();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &nan));
   check(H5Pset_chunk(creation, static_cast<int>(rank), chunk.data()));
-  // No chunk cache: append() writes values to the file, or fails, before the chunk index has them.
+  // There is no chunk cache, so that append() writes values to the file, or fails, before they are in the
+  // chunk index.
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   check(H5Pset_chunk_cache(access, 1, 0, 1));
-  const Handle space = simple_space(std::span(none).first(rank), limits.data());
+  const Handle space = simple_space(std::span(initial).first(rank), limits.data());
   const ExtensibleArrayScope scope(parent);
   dataset_ =
       Handle(H5Dcreate2(parent, name.c_str(), layout.type, space, H5P_DEFAULT, creation, access), H5Dclose);

@@ -1,6 +1,6 @@
 // The HDF5 C library behind a few small types. Only sources of this folder include this header.
 //
-// Everything here is used under a Lock: threads of one process write several runs, and not every build of the
+// Use everything here under a Lock: threads of one process write several runs, and not every build of the
 // library is thread-safe.
 #pragma once
 
@@ -32,8 +32,8 @@ class Failure : public std::runtime_error {
 /// The Failure that the library's error stack of this thread describes.
 Failure last_failure();
 
-/// The process-wide lock. Also turns off the library's own printing, a setting of each thread, and lets it
-/// convert a NaN as a fill value.
+/// The process-wide lock. Also turns off the library's own printing, which every thread has to do, and
+/// suspends floating-point traps, so that the library may convert a NaN as a fill value.
 class Lock {
  public:
   Lock();
@@ -86,21 +86,21 @@ hid_t type_of() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
 }
 
-Handle create_file(const std::string& path);                 ///< fails if there is one
+Handle create_file(const std::string& path);                 ///< fails if the file exists
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
-/// Whether the file has bytes after the end that it states. A flush writes that last, so a process that is
-/// killed in it may leave data there, which HDF5 then refuses to read.
+/// Whether the file has bytes after the end that it states. A flush writes this end last. So a process that
+/// is killed during a flush may leave data after the stated end, which HDF5 then refuses to read.
 bool ends_before_its_bytes(hid_t file);
-/// For reading: a temporary copy of such a file, with all its bytes.
+/// Opens a temporary copy of such a file for reading, with all its bytes.
 Handle open_with_all_bytes(const std::string& path);
 
-/// A file that is in memory until it is closed, in the formats of HDF5 1.8 and 1.10, which take less space
-/// than the first. Fails if there is one of that name.
+/// Creates a file that is in memory until it is closed. It has the formats of HDF5 1.8 and 1.10, which take
+/// less space than the oldest format. Fails if the file exists.
 Handle create_small_file(const std::string& path);
 
-/// In this scope arrays of a few numbers lie in the headers of their datasets, and others of up to 32 KiB are
-/// compressed: for a file that is written at once and never grows.
+/// For a file that is written at once and never grows: in this scope, arrays of a few numbers lie in the
+/// headers of their datasets, and larger arrays of up to 32 KiB are compressed.
 class SmallScope {
  public:
   SmallScope();
@@ -109,20 +109,21 @@ class SmallScope {
   SmallScope& operator=(const SmallScope&) = delete;
 };
 
-/// Throws Failure unless the disk has room for 8 times as many bytes: other runs may be writing, too. Checked
-/// before a flush, because one that fails half-way on a full disk can leave a file that doesn't open.
+/// Throws Failure unless the disk has room for 8 times `bytes`, because other runs may be writing, too. Call
+/// it before a flush: a flush that fails half-way on a full disk can leave a file that doesn't open.
 void require_room(hid_t file, std::uint64_t bytes);
 
-/// Hands what was written to the operating system: it survives the end of the process, but maybe no power
-/// cut.
+/// Hands the written data to the operating system. They survive the end of the process, but perhaps not a
+/// power cut.
 void flush(hid_t file);
 
-/// `links`: how many it will have, if that is known; its header then takes no more room than it needs.
+/// `links` is the number of links that the group will have, if that is known. Then its header takes no more
+/// room than it needs.
 Handle create_group(hid_t parent, const std::string& name, unsigned links = 4);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
-/// Gives parent/object a second name, parent/name, where a copy would hold the same values.
+/// Gives parent/object a second name, parent/name, instead of a copy with the same values.
 void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
@@ -130,7 +131,7 @@ void write_attribute(hid_t object, const std::string& name, std::int64_t number)
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> numbers);
 void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
 
-/// When an array of many numbers is compressed. `if_small`: only in a SmallScope.
+/// When an array of many numbers is compressed. `if_small` means only in a SmallScope.
 enum class Compression { always, if_small };
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape, Compression compression);
@@ -165,8 +166,9 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
 }
 
 /// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
-/// never written read as NaN: on a full disk a dataset may grow without its values. Not compressed: gzip
-/// saves 30 % of a moving cloth's frames, but costs more time than all metrics together.
+/// never written read as NaN: on a full disk, a dataset may grow without its values being written. The
+/// dataset is not compressed: gzip saves 30 % of a moving cloth's frames, but takes more time than all
+/// metrics together.
 class Series {
  public:
   struct Layout {

@@ -10,14 +10,14 @@ namespace {
 
 using hdf5::Handle;
 
-/// One of the four cell arrays that PolyData has, #C cells of `vertices_per_cell` vertices.
+/// Writes one of the four cell arrays that PolyData has: #C cells of `vertices_per_cell` vertices.
 void write_cells(hid_t vtk, const std::string& name, const std::vector<int>& vertices,
                  int vertices_per_cell) {
   const Handle group = hdf5::create_group(vtk, name);
   if (vertices.empty()) {
     hdf5::write_array(group, "NumberOfCells", std::vector<std::int64_t>{0});
-    for (const char* zero : {"NumberOfConnectivityIds", "Offsets"})
-      hdf5::add_link(group, "NumberOfCells", zero);  // each is one zero
+    for (const char* name_of_zero : {"NumberOfConnectivityIds", "Offsets"})
+      hdf5::add_link(group, "NumberOfCells", name_of_zero);  // all three are a single 0
     hdf5::write_array(group, "Connectivity", std::vector<std::int64_t>());
     return;
   }
@@ -43,15 +43,15 @@ std::string escaped(const std::string& text) {
       {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
   for (const char& c : text) {
-    const auto found = names.find(c);
-    result += found == names.end() ? std::string_view(&c, 1) : found->second;
+    const auto entity = names.find(c);
+    result += entity == names.end() ? std::string_view(&c, 1) : entity->second;
   }
   return result;
 }
 
 /// Rows first … first + count of a dataset of `rows` rows. The XML comment inside differs from frame to
-/// frame: ParaView's Xdmf reader takes the first text in a geometry's item for the name of its data, and
-/// shows a geometry of the same name again instead of reading it.
+/// frame, because ParaView's Xdmf reader takes the first text in a geometry's item as the name of its data.
+/// If two geometries had the same name, it would show the first again instead of reading the second.
 std::string hyperslab(const std::string& dataset, const std::string& number, std::uint64_t first,
                       std::uint64_t count, std::uint64_t rows, int columns) {
   const auto shape = [&](std::uint64_t n) {
@@ -60,9 +60,8 @@ std::string hyperslab(const std::string& dataset, const std::string& number, std
   const std::string selection = columns == 1 ? fmt::format("{} 1 {}", first, count)
                                              : fmt::format("{} 0 1 1 {} {}", first, count, columns);
   return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\"><!-- from row {} -->"
-      "<DataItem Dimensions=\"3 {}\" Format=\"XML\">{}</DataItem>"
-      "<DataItem Dimensions=\"{}\" {} Format=\"HDF\">{}</DataItem></DataItem>",
+      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\"><!-- from row {} --><DataItem Dimensions=\"3 {}\" "
+      "Format=\"XML\">{}</DataItem><DataItem Dimensions=\"{}\" {} Format=\"HDF\">{}</DataItem></DataItem>",
       shape(count), first, columns == 1 ? 1 : 2, selection, shape(rows), number, dataset);
 }
 

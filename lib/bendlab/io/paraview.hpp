@@ -16,7 +16,7 @@
 
 namespace bendlab {
 
-/// What both views need of a run with V vertices, T triangles and F frames.
+/// What both views need to know of a run with V vertices, T triangles and F frames.
 struct ParaViewShape {
   std::uint64_t vertices = 0, triangles = 0;
   std::vector<double> times;             ///< F, s
@@ -27,14 +27,15 @@ struct ParaViewShape {
 /// The group /VTKHDF with its type and version.
 hdf5::Handle create_vtkhdf(hid_t file);
 
-/// Writes what is the same in all frames, below /VTKHDF: topology and the pinned vertices.
+/// Writes the parts of /VTKHDF that are the same in all frames: topology and the pinned vertices.
 void write_static_part(hid_t vtk, const RunHeader& header);
 
 /// Writes /VTKHDF/Steps, once and last: ParaView crashes if its attribute NSteps and the lengths of its
 /// datasets differ.
 void write_steps(hid_t file, const ParaViewShape& shape);
 
-/// An XDMF description of some frames in `run_file`, a path from where the text will lie.
+/// An XDMF description of these frames. `run_file` is the run file's path, relative to the folder of the
+/// text.
 std::string xdmf_text(const std::string& run_file, const ParaViewShape& shape,
                       std::span<const std::int64_t> frames);
 

@@ -1,18 +1,19 @@
 // One HDF5 file per run, for us and for ParaView: VTKHDF 2.0 PolyData with Steps, and our own groups beside
 // it.
 //
-//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps); Points
-//                           are float64 if the solver's are, or if float32 would round edges away from 0
+//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps). Points
+//                           are float64 if the solver's positions are, or if the cloth is so far from the
+//                           origin that float32 would change its edges (mesh/single_precision.hpp)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
 //   /metrics/values         a row per recorded frame (F, C); the first column is the time
 //   /constraints/<kind>     vertices, rest values and softness, only on request
 //   /obstacles/<k>          the surface of effect k at time 0: positions (n, 3) m, triangles (m, 3) with
 //                           normals outward, velocity (3) m/s; positions in the precision of Points
-//   /about                  units and meanings, as a compressed JSON text: {"summary": {name: [unit, meaning]},
-//                           "settings": {pointer: [unit, meaning]}}, of every number that the program knows
+//   /about                  units and meanings of summary metrics and settings, as a compressed JSON text:
+//                           {"summary": {name: [unit, meaning]}, "settings": {pointer: [unit, meaning]}}
 //   /provenance/inputs/<k>  the bytes of the k-th file that the config names
-//   /facts                  everything else, as a compressed JSON text; how it is when the run begins in a
-//                           file that grows with its run, which has the end's in /outcome
+//   /facts                  everything else, as a compressed JSON text. A file that grows with its run has
+//                           the facts of the run's start here, and those of its end in /outcome
 //
 // The JSON object has:
 //
@@ -22,14 +23,15 @@
 //   cell_fields             {name: [unit, meaning]}
 //   constraints, hashes     {kind: number}, {kind: text}
 //   inputs                  [[pointer, name]] of the files that the config names
-//   provenance              {name: text}: commit, compiler, …; as JSON `point`, the place on the sweep, and
-//                           `models` and `methods`, traits of all that the program has
+//   provenance              {name: text}: commit, compiler, …. Three texts are JSON: `point`, the values of
+//                           the swept settings, and `models` and `methods`, the traits of all models and
+//                           methods of the program
 //   summary                 {name: number}; a number that is not finite is a text: "nan", "inf", "-inf"
 //   passes                  [[name, seconds, calls, acted]]
 //   wall_s, cpu_s, step_cpu_s
 //
-// The number of committed frames is that of the rows of /metrics/values, written last in every frame. After a
-// power cut the last row may be torn.
+// The number of committed frames is the number of rows of /metrics/values, because that row is written last
+// in every frame. After a power cut the last row may be incomplete.
 #pragma once
 
 #include <array>
@@ -51,7 +53,7 @@ class RunFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `implausible`: computed to its end like a complete run, but it broke a bound that its scene cannot break.
+/// `implausible`: computed to its end like a complete run, but it broke a bound that holds for its scene.
 enum class RunStatus { running, complete, diverged, interrupted, implausible };
 inline constexpr std::array<std::string_view, 5> run_status_names = {"running", "complete", "diverged",
                                                                      "interrupted", "implausible"};
@@ -61,7 +63,7 @@ std::string to_string(RunStatus status);
 inline bool is_whole(RunStatus status) {
   return status == RunStatus::complete || status == RunStatus::implausible;
 }
-/// Whether the same run would end like this again: it is whole, or diverged.
+/// Whether the same run would end in the same way again: it is whole, or diverged.
 inline bool is_over(RunStatus status) {
   return is_whole(status) || status == RunStatus::diverged;
 }
@@ -78,13 +80,13 @@ struct ConstraintRecord {
   std::vector<int> vertices;        ///< #C by vertices_per_constraint, row by row; empty unless recorded
   std::vector<double> rest;         ///< #C by rest_per_constraint, row by row; empty unless recorded
   int rest_per_constraint = 1;      ///< columns of `rest`
-  std::vector<double> softness;     ///< #C, times the scene's compliance; empty unless recorded, or if 1
+  std::vector<double> softness;     ///< #C, factors of the scene's compliance; empty if not recorded or 1
 };
 
-/// A file that the config names, with what it held.
+/// A file that the config names, with its content.
 struct InputFile {
   std::string pointer;  ///< of the setting that names it
-  std::string name;     ///< as the config has it
+  std::string name;     ///< as written in the config
   std::string bytes;
 };
 
@@ -96,7 +98,7 @@ struct ObstacleRecord {
   std::vector<double> velocity;   ///< 3, m/s
 };
 
-/// What is known before the first step.
+/// The part of a run that is known before its first step.
 struct RunHeader {
   std::string id, name;
   std::vector<double> rest_positions;  ///< 3V, m
@@ -137,14 +139,14 @@ struct RunFooter {
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
-/// The first frames of a file of the same run, that a new one begins with.
+/// The first frames of an earlier file of the same run, which a new file begins with.
 struct EarlierFrames {
-  std::filesystem::path file;  ///< empty: none
+  std::filesystem::path file;  ///< empty if there are no earlier frames
   std::uint64_t frames = 0;
 };
 
-/// How much of a run is kept in memory before its file is begun. A run that is over by then writes its file
-/// at once, in less time and space; a crash costs it no more than this.
+/// How much of a run is kept in memory before its file is begun. A run that ends earlier writes its whole
+/// file at once, which takes less time and space. A crash loses no more than this much.
 struct InMemory {
   std::uint64_t bytes = 0;  ///< of frames
   double seconds = 0;       ///< of wall time; 0: the file is begun before the first frame
@@ -154,21 +156,22 @@ struct InMemory {
 /// crash leaves the .part file with every frame whose write() returned. Writers in several threads take turns
 /// frame by frame. The folder has to exist. Throws RunFileError if the disk fails or another writer has
 /// `part` open, std::invalid_argument if sizes don't match the header, or its config is not JSON. With
-/// `first` there is no file before that much is known, synchronise() or the destructor.
+/// `first`, the file is begun when that much is in memory, or by synchronise(), finish() or the destructor.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
                 const std::filesystem::path& part = {}, const EarlierFrames& earlier = {},
                 const InMemory& first = {});
-  ~RunFileWriter();  ///< closes what is open; without finish() the .part file stays
+  ~RunFileWriter();  ///< closes the file; without finish() the .part file stays
   RunFileWriter(const RunFileWriter&) = delete;
   RunFileWriter& operator=(const RunFileWriter&) = delete;
 
   void write(const Frame& frame);
-  /// Waits until the disk has the frames, so that a power cut leaves them.
+  /// Waits until the frames are on the disk, so that they survive a power cut.
   void synchronise();
-  /// Writes Steps, footer and checksum, waits for the disk and renames. A run that was in memory until now is
-  /// not waited for: its checksum tells if a power cut took it, and it is soon computed again.
+  /// Writes Steps, footer and checksum, waits for the disk and renames the file. Does not wait if the whole
+  /// run was in memory until now and the file replaces no other: if a power cut damages such a file, its
+  /// checksum shows this, and the run is soon computed again.
   void finish(const RunFooter& footer);
 
  private:
@@ -190,7 +193,7 @@ struct RunRecord {
   double wall_s = 0, cpu_s = 0, step_cpu_s = 0;
   std::map<std::string, std::string> provenance;
   std::string config;
-  std::vector<std::string> metrics;                  ///< names of the columns, `time` among them
+  std::vector<std::string> metrics;                  ///< names, `time` among them
   std::map<std::string, std::uint64_t> constraints;  ///< kind → how many
 };
 
@@ -202,40 +205,40 @@ struct RestRecord {
   std::vector<int> triangles;        ///< 3T
   std::vector<std::uint8_t> pinned;  ///< V
   std::vector<int> pin_seeds;
-  bool double_positions = false;  ///< of the frames
+  bool double_positions = false;  ///< whether frames have float64 positions
 };
 
 RestRecord read_rest(const std::filesystem::path& file);
 
-/// The files that the run's config names, as they were.
+/// The files that the run's config names, as they were when it was computed.
 std::vector<InputFile> read_inputs(const std::filesystem::path& file);
 
-/// One column of /metrics, of the committed frames.
+/// The values of a metric, one per committed frame.
 std::vector<double> read_metric(const std::filesystem::path& file, const std::string& name);
 
-/// A column of /metrics with its values, one per committed frame.
+/// A metric with its values, one per committed frame.
 struct MetricRecord {
   Column column;
   std::vector<double> values;
 };
 
-/// Every column of /metrics: `time`, then the others by name.
+/// All metrics: `time` first, then sorted by name.
 std::vector<MetricRecord> read_metrics(const std::filesystem::path& file);
 
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
 
 /// An XDMF text through which programs that do not read VTKHDF with time, such as ParaView before 5.12, read
-/// these frames. `as_seen`: the run file's path from where the text will lie. Throws RunFileError.
+/// these frames. `as_seen` is the run file's path, relative to the folder of the text. Throws RunFileError.
 std::string xdmf_of(const std::filesystem::path& run_file, const std::string& as_seen,
                     std::span<const std::int64_t> frames);
 
 /// Version of the HDF5 library.
 std::string hdf5_version();
 
-/// Names of what differs to the bit between two run files: datasets, numbers of the summary, the status. Not
-/// times, nor provenance.
-std::vector<std::string> differing_parts(const std::filesystem::path& one,
-                                         const std::filesystem::path& other);
+/// Names of the parts of two run files whose bits differ: datasets, metrics of the summary, the verdict.
+/// Computing times and provenance are not compared.
+std::vector<std::string> differing_parts(const std::filesystem::path& first,
+                                         const std::filesystem::path& second);
 
 }  // namespace bendlab

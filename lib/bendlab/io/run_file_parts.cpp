@@ -8,7 +8,7 @@ namespace {
 
 using hdf5::Handle;
 
-// Paths of all datasets of numbers below a group.
+// Adds the paths of all datasets below a group to `datasets`.
 void collect(hid_t group, const std::string& path, std::set<std::string>& datasets) {
   for (const std::string& name : hdf5::links(group)) {
     const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
@@ -27,7 +27,7 @@ std::set<std::string> datasets_in(hid_t file) {
   return datasets;
 }
 
-// Shape, size of an entry, and values, as they lie in memory.
+// The shape of a dataset, and its values as they lie in memory.
 std::string bytes_of(hid_t file, const std::string& path) {
   const Handle dataset = hdf5::open_dataset(file, path), type(H5Dget_type(dataset), H5Tclose);
   std::size_t count = 1;
@@ -46,7 +46,7 @@ std::string bytes_of(std::span<const double> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-// Everything that is compared at once: texts and numbers by name.
+// The verdict, the metrics and the summary, by name.
 std::map<std::string, std::string> small_parts(hid_t file) {
   const Json facts = read_facts(file);
   std::map<std::string, std::string> parts = {{"status", facts.at("status")}};
@@ -58,22 +58,23 @@ std::map<std::string, std::string> small_parts(hid_t file) {
 
 }  // namespace
 
-std::vector<std::string> differing_parts(const std::filesystem::path& one,
-                                         const std::filesystem::path& other) {
+std::vector<std::string> differing_parts(const std::filesystem::path& first,
+                                         const std::filesystem::path& second) {
   using Parts = std::map<std::string, std::string>;
-  const Parts mine = with_run(one, small_parts), others = with_run(other, small_parts);
+  const Parts first_parts = with_run(first, small_parts), second_parts = with_run(second, small_parts);
   std::set<std::string> differing;
-  for (const auto& [first, second] : {std::pair(&mine, &others), std::pair(&others, &mine)})
-    for (const auto& [name, bytes] : *first)
-      if (const auto found = second->find(name); found == second->end() || found->second != bytes)
+  for (const auto& [from, to] :
+       {std::pair(&first_parts, &second_parts), std::pair(&second_parts, &first_parts)})
+    for (const auto& [name, bytes] : *from)
+      if (const auto match = to->find(name); match == to->end() || match->second != bytes)
         differing.insert(name);
-  std::set<std::string> datasets = with_run(one, datasets_in);
-  datasets.merge(with_run(other, datasets_in));
+  std::set<std::string> datasets = with_run(first, datasets_in);
+  datasets.merge(with_run(second, datasets_in));
   for (const std::string& name : datasets) {
     const auto bytes = [&](hid_t file) {
       return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0 ? bytes_of(file, name) : std::string("absent");
     };
-    if (with_run(one, bytes) != with_run(other, bytes)) differing.insert(name);
+    if (with_run(first, bytes) != with_run(second, bytes)) differing.insert(name);
   }
   return {differing.begin(), differing.end()};
 }

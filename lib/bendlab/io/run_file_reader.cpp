@@ -69,20 +69,20 @@ std::string hdf5_version() {
 std::vector<double> read_metric(const fs::path& path, const std::string& name) {
   return with_run(path, [&](hid_t file) {
     std::vector<std::string> names;
-    for (Column& column : metric_columns(file)) names.push_back(std::move(column.name));
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end())
-      throw hdf5::Failure(fmt::format("it has no metric '{}', but {}", name, fmt::join(names, ", ")));
+    for (Column& metric : metric_columns(file)) names.push_back(std::move(metric.name));
+    const auto column = std::ranges::find(names, name);
+    if (column == names.end())
+      throw hdf5::Failure(fmt::format("it has no metric '{}', only {}", name, fmt::join(names, ", ")));
     return hdf5::read_column(hdf5::open_dataset(file, metric_values),
-                             static_cast<hsize_t>(found - names.begin()), read_shape(file).times.size());
+                             static_cast<hsize_t>(column - names.begin()), read_shape(file).times.size());
   });
 }
 
 std::vector<MetricRecord> read_metrics(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
     std::vector<MetricRecord> metrics = read_all_metrics(file, read_shape(file).times.size());
-    std::ranges::sort(metrics, {}, [](const MetricRecord& each) {
-      return std::pair(each.column.name != "time", each.column.name);
+    std::ranges::sort(metrics, {}, [](const MetricRecord& metric) {
+      return std::pair(metric.column.name != "time", metric.column.name);
     });
     return metrics;
   });

@@ -21,7 +21,8 @@ constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
 constexpr hsize_t metric_rows_per_chunk = 32;
 
-// Whether the scene's settings ask for the constraints themselves, not only for their number and hash.
+// Whether the record holds the constraints themselves, as the scene's settings may ask, not only their number
+// and hash.
 bool has_arrays(const ConstraintRecord& record) {
   return !record.vertices.empty() || !record.rest.empty() || !record.softness.empty();
 }
@@ -45,7 +46,7 @@ void write_rest(hid_t file, const RunHeader& header) {
   hdf5::write_array(rest, "pin_seeds", header.pin_seeds);
 }
 
-// What a file has of its header besides the facts.
+// Writes all parts of a header except the facts.
 void write_header(hid_t file, const RunHeader& header) {
   write_rest(file, header);
   if (std::ranges::any_of(header.constraints, has_arrays)) {
@@ -76,14 +77,14 @@ void write_header(hid_t file, const RunHeader& header) {
   }
 }
 
-// A row of /metrics/values, in the order of facts_of().
+// A row of /metrics/values, in the order of the metrics in facts_of().
 std::vector<double> metric_row(const Frame& frame) {
   std::vector<double> row = {frame.time};
   row.insert(row.end(), frame.metrics.begin(), frame.metrics.end());
   return row;
 }
 
-// All frames at once, as datasets that do not grow.
+// Writes all frames at once, as datasets that do not grow.
 void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>& frames) {
   constexpr auto if_small = hdf5::Compression::if_small;
   const auto joined = [&]<class T>(T, const auto& part_of) {
@@ -124,7 +125,7 @@ void require_size(const char* what, std::size_t size, std::size_t expected) {
 void require_consistent(const RunHeader& header) {
   if (!Json::accept(header.config)) throw std::invalid_argument("run file: the config is not JSON");
   if (header.rest_positions.size() % 3 != 0 || header.triangles.size() % 3 != 0)
-    throw std::invalid_argument("run file: rest positions and triangles come in threes");
+    throw std::invalid_argument("run file: rest positions and triangles need three numbers each");
   require_size("RunHeader::pinned", header.pinned.size(), header.rest_positions.size() / 3);
   for (const auto& record : header.constraints) {
     if (!record.vertices.empty())
@@ -141,7 +142,7 @@ void require_consistent(const RunHeader& header) {
 }  // namespace
 
 struct RunFileWriter::Impl {
-  /// What is open during the run; closed from the last member to the first.
+  /// The file and its datasets that are open during the run; closed from the last member to the first.
   struct Open {
     Handle file;
     Series points, metrics;
@@ -151,12 +152,12 @@ struct RunFileWriter::Impl {
   std::filesystem::path path, part;
   ParaViewShape shape;           // grows with the frames
   std::size_t metric_count = 0;  // without the time
-  std::vector<float> narrow;     // positions as they are stored
+  std::vector<float> narrow;     // positions as float32, if stored so
   Json facts;
   bool failed = false;
   std::optional<Open> open;
 
-  /// What is written when the file is begun, or at once at the end.
+  /// What is kept in memory until the file is begun, or until the whole file is written at the end.
   struct Kept {
     RunHeader header;
     std::vector<Frame> frames;
@@ -178,7 +179,7 @@ struct RunFileWriter::Impl {
   void close(const RunFooter& footer);
   void require_matching(const Frame& frame) const;
 
-  /// Calls an action on the file, one at a time in the process. After a failure the file is not touched
+  /// Calls an action on the file under the lock of the process. After a failure the file is not touched
   /// again.
   template <class Action>
   void guarded(const std::string& what, const Action& action) {
@@ -195,7 +196,7 @@ struct RunFileWriter::Impl {
   ~Impl() {
     if (kept) try {
         begin_with_kept();
-      } catch (...) {  // the disk or the memory is full, and nobody is left to hear it
+      } catch (...) {  // disk or memory is full, but a destructor can't report it
       }
     const hdf5::Lock lock;
     open.reset();
@@ -260,7 +261,7 @@ void RunFileWriter::Impl::copy_frames(const EarlierFrames& earlier) {
   const Handle from = open_run(earlier.file);
   const ParaViewShape old = read_shape(from);
   if (old.vertices != shape.vertices || old.triangles != shape.triangles || old.times.size() < earlier.frames)
-    throw hdf5::Failure(fmt::format("'{}' has not the frames to go on from", earlier.file.string()));
+    throw hdf5::Failure(fmt::format("'{}' does not have the frames to go on from", earlier.file.string()));
   hdf5::require_room(file, earlier.frames * frame_bytes());
   const auto copy = [&]<class T>(T, const std::string& name, Series& to, std::uint64_t rows) {
     const Handle dataset = hdf5::open_dataset(from, name);
@@ -298,7 +299,7 @@ std::uint64_t RunFileWriter::Impl::frame_bytes() const {
          metric_rows_per_chunk * (1 + metric_count) * sizeof(double);
 }
 
-// Writes the whole file of a run whose frames were all kept.
+// Writes the whole file of a run whose frames were all kept in memory.
 void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
   remove_abandoned(part);
   try {

@@ -16,7 +16,7 @@ std::uint64_t rows(hid_t parent, const std::string& name) {
   return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);
 }
 
-/// Whether every dataset has frame k.
+/// Whether frame k can be read from every dataset.
 bool is_readable(hid_t file, const ParaViewShape& shape, std::uint64_t k) {
   const auto read = [&](const std::string& name, std::uint64_t rows_per_frame) {
     return hdf5::read_rows<double>(hdf5::open_dataset(file, name), k * rows_per_frame, rows_per_frame);
@@ -46,7 +46,7 @@ Json read_facts(hid_t file) {
   const auto read = [&](const char* name) { return Json::parse(hdf5::read_all<std::uint8_t>(file, name)); };
   try {
     if (hdf5::has_link(file, "outcome")) return read("outcome");
-  } catch (const hdf5::Failure&) {  // a process that was killed may leave the name without the text
+  } catch (const hdf5::Failure&) {  // a killed process may have left the name without the text
   } catch (const Json::exception&) {
   }
   return read("facts");
@@ -58,7 +58,7 @@ std::vector<Column> metric_columns(hid_t file) {
   for (const Json& name : facts.at("metrics"))
     columns.push_back({name, facts.at("units").at(columns.size()), facts.at("meanings").at(columns.size())});
   if (hdf5::shape_of(hdf5::open_dataset(file, metric_values)).at(1) != columns.size())
-    throw hdf5::Failure("its table of metrics has not a column for each name");
+    throw hdf5::Failure("its table of metrics does not have one column per name");
   return columns;
 }
 
@@ -96,8 +96,8 @@ ParaViewShape read_shape(hid_t file) {
                       .double_positions = H5Tget_size(type) == sizeof(double)};
   shape.times = hdf5::read_column(hdf5::open_dataset(file, metric_values), 0, rows(file, metric_values));
   if (read_facts(file).at("status") != to_string(RunStatus::running)) return shape;
-  // Metrics are written last, so no frame should be lost here; but a power cut may have lost pages of the
-  // disk.
+  // Metrics are written last, so every frame should be readable. But a power cut may have lost pages of the
+  // file.
   while (!shape.times.empty() && !is_readable(file, shape, shape.times.size() - 1)) shape.times.pop_back();
   return shape;
 }

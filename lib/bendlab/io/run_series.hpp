@@ -1,5 +1,5 @@
-// How a run file is opened for reading, and what all of its readers need. Only sources of this folder include
-// this header.
+// Opens a run file for reading, and reads the parts that all of its readers need. Only sources of this folder
+// include this header.
 #pragma once
 
 #include <filesystem>
@@ -14,17 +14,18 @@ namespace bendlab {
 
 inline constexpr const char* metric_values = "/metrics/values";
 
-/// A compressed JSON text: "facts", or "outcome" at the end of a file that grew with its run.
+/// Writes a compressed JSON text. `name` is "facts", or "outcome" at the end of a file that grew with its
+/// run.
 void write_facts(hid_t file, const char* name, const Json& facts);
-/// /outcome, or else /facts.
+/// Reads /outcome if the file has it, else /facts.
 Json read_facts(hid_t file);
 
-/// The columns of /metrics.
+/// Name, unit and meaning of every metric, `time` first.
 std::vector<Column> metric_columns(hid_t file);
-/// The first `count` rows of every column of /metrics.
+/// The first `count` values of every metric.
 std::vector<MetricRecord> read_all_metrics(hid_t file, std::uint64_t count);
 
-/// Opens a run file for reading. Throws hdf5::Failure if it is something else.
+/// Opens a run file for reading. Throws hdf5::Failure if the file is no run file.
 hdf5::Handle open_run(const std::filesystem::path& path);
 
 /// V, T, the names of the cell fields and the times of the committed frames.
@@ -42,7 +43,7 @@ auto with_run(const std::filesystem::path& path, const Action& action) {
     throw file_error(path, "can't be read as a run file", failure.what(), failure.code());
   } catch (const Json::exception& error) {
     throw file_error(path, "can't be read as a run file", error.what(), 0);
-  } catch (const std::invalid_argument& error) {  // a status that is not known
+  } catch (const std::invalid_argument& error) {  // an unknown status
     throw file_error(path, "can't be read as a run file", error.what(), 0);
   }
 }

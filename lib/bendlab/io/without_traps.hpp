@@ -5,8 +5,8 @@
 
 namespace bendlab {
 
-/// While it lives, this thread may compute infinities and NaNs. For libraries that do so on purpose (HDF5
-/// converts a NaN as a fill value).
+/// As long as the object exists, its thread may compute infinities and NaNs. For libraries that do this on
+/// purpose (HDF5 converts a NaN as a fill value).
 class WithoutTraps {
  public:
   WithoutTraps() { std::feholdexcept(&environment_); }

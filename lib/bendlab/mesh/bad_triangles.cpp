@@ -13,7 +13,7 @@
 namespace bendlab {
 namespace {
 
-// For a note: what the policy does about a problem.
+// What the policy does about a problem, for a warning.
 std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
   const bool mends = policy == BadTriangles::repair;
   switch (kind) {
@@ -25,37 +25,39 @@ std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
     case MeshProblemKind::repeated_vertex:
       return "left out";
     case MeshProblemKind::duplicate_triangle:
-      return "left out but for the first";
+      return "left out except for the first copy";
     case MeshProblemKind::isolated_vertex:
       return "left out, which shifts the indices of later vertices";
     case MeshProblemKind::zero_area:
-      return mends ? "collapsed, or split along the vertex on its longest edge"
+      return mends ? "collapsed, or removed by splitting the triangles beyond its longest edge"
              : policy == BadTriangles::membrane_off
-                 ? "without a strain constraint, or given a rest height if a "
-                   "vertex would have none, and without bending"
+                 ? "without a strain constraint (or given a rest height if a vertex would have no strain "
+                   "constraint), and without bending"
                  : "given a rest height that can be simulated, and no bending";
     case MeshProblemKind::non_manifold_edge:
       return mends ? "cut, its vertices doubled" : "kept, without bending across it";
     case MeshProblemKind::non_manifold_vertex:
       return mends ? "cut, the vertex doubled" : "kept as one vertex";
     case MeshProblemKind::inconsistent_orientation:
-      return mends ? "turned alike as far as possible" : "kept: nothing that is simulated depends on it";
+      return mends ? "turned to face the same side where possible"
+                   : "kept: the simulation does not depend on it";
   }
   return {};
 }
 
-// The soup without copies of triangles, and without triangles that cannot be used.
+// The soup without duplicate triangles and without triangles that cannot be used.
 PolygonSoup without_unusable(const PolygonSoup& soup) {
   PolygonSoup usable{.points = soup.points, .triangles = {}, .texture_coordinates = {}};
   std::set<std::array<std::int64_t, 3>> seen;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     auto corners = soup.triangles[t];
-    const bool named = std::ranges::all_of(corners, [&](std::int64_t v) {
+    const bool usable_corners = std::ranges::all_of(corners, [&](std::int64_t v) {
       return v >= 0 && v < static_cast<std::int64_t>(soup.points.size()) &&
              is_finite(soup.points[static_cast<std::size_t>(v)]);
     });
     std::ranges::sort(corners);
-    if (!named || corners[0] == corners[1] || corners[1] == corners[2] || !seen.insert(corners).second)
+    if (!usable_corners || corners[0] == corners[1] || corners[1] == corners[2] ||
+        !seen.insert(corners).second)
       continue;
     usable.triangles.push_back(soup.triangles[t]);
     for (std::size_t c = 3 * t; c < 3 * t + 3 && !soup.texture_coordinates.empty(); ++c)
@@ -65,7 +67,7 @@ PolygonSoup without_unusable(const PolygonSoup& soup) {
   return usable;
 }
 
-// Whether a policy takes what `refuse` does not.
+// Whether any policy other than `refuse` accepts the soup.
 bool has_remedy(const PolygonSoup& soup) {
   for (const BadTriangles policy :
        {BadTriangles::repair, BadTriangles::regularise, BadTriangles::membrane_off})
@@ -90,13 +92,12 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_vi
   const std::vector<MeshProblem> problems = diagnose(soup);
   if (soup.triangles.empty())
     throw std::invalid_argument(
-        "has no triangles, so that there is no cloth in it: export the mesh with its faces, and without "
-        "leaving out what is not selected");
+        "has no triangles: export the mesh with its faces, and all of it, not only the selected part");
   const std::string refusal = lines_of(problems);
   if (!refusal.empty() && policy == BadTriangles::refuse)
     throw std::invalid_argument(
-        fmt::format("can't be simulated until it is repaired, in a mesh editor{} (indices count from 0):{}",
-                    has_remedy(soup) ? fmt::format(" for instance or {}", remedy) : "", refusal));
+        fmt::format("can't be simulated: repair it in a mesh editor{} (indices count from 0):{}",
+                    has_remedy(soup) ? fmt::format(", or {}", remedy) : "", refusal));
   AcceptedMesh accepted;
   for (const MeshProblem& problem : problems)
     accepted.notes.push_back(fmt::format("{}: {}", treatment(problem.kind, policy), describe(problem)));
@@ -119,7 +120,7 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_vi
   accepted.mesh = to_mesh(usable);
   if (!((accepted.mesh.positions.colwise().maxCoeff() - accepted.mesh.positions.colwise().minCoeff()).norm() >
         0))
-    throw std::invalid_argument("can't be simulated: all its vertices are at one place");
+    throw std::invalid_argument("can't be simulated: all its vertices are at the same point");
   accepted.renumbered =
       policy == BadTriangles::repair
           ? !problems.empty() || accepted.mesh.vertex_count() != static_cast<Eigen::Index>(soup.points.size())

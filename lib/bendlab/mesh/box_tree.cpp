@@ -6,7 +6,8 @@
 namespace bendlab {
 namespace {
 
-// Halves along the longest side of the centres' box; the left branch is filled before the right one.
+// Halves the elements along the longest side of their centres' box. The left branch is filled before the
+// right branch.
 void halve(std::span<int> elements, std::size_t leaves, const Positions& centres) {
   const std::size_t half = leaves / 2;
   if (half == 0) return;

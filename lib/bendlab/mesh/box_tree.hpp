@@ -13,7 +13,7 @@
 
 namespace bendlab {
 
-/// An axis-parallel box, at first empty. The fourth number only fills the processor's lanes.
+/// An axis-parallel box, at first empty. The fourth component only fills the SIMD lanes.
 struct Box {
   using Corner = Eigen::Array4f;
   Corner low = Corner::Constant(std::numeric_limits<float>::infinity()), high = -low;
@@ -35,17 +35,17 @@ class BoxTree {
  public:
   explicit BoxTree(const Positions& centres);  ///< #n by 3
 
-  void renew(std::span<const Box> boxes);  ///< #n
+  void renew(std::span<const Box> boxes);  ///< #n, the box of each element
 
-  /// Calls action(i, j) once for each two elements whose boxes overlap, in an order that depends on the
+  /// Calls action(i, j) once for each pair of elements whose boxes overlap, in an order that depends on the
   /// centres alone.
   template <class Action>
   void for_overlaps(const Action& action) const {
     if (leaves_ > 0) inside(1, action);
   }
 
-  /// The least squared_distance(i) of the elements i from `point`. Evaluates it only if the element's box is
-  /// nearer than the least so far. Infinite without elements.
+  /// The least squared_distance(i) over all elements i; infinite without elements. Evaluates
+  /// squared_distance(i) only if the box of element i is nearer to `point` than the least distance so far.
   template <class SquaredDistance>
   double least_squared_distance(const Vector3& point, const SquaredDistance& squared_distance) const {
     double least = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ class BoxTree {
   }
 
  private:
-  // The nearer branch first: after it the other one is mostly not needed.
+  // Visits the nearer branch first: afterwards the farther branch is usually not needed.
   template <class SquaredDistance>
   void look_into(std::size_t node, const Vector3& point, const SquaredDistance& squared_distance,
                  double& least) const {
@@ -77,7 +77,7 @@ class BoxTree {
     between(2 * node, 2 * node + 1, action);
   }
 
-  // Both at the same depth.
+  // Nodes a and b have the same depth.
   template <class Action>
   void between(std::size_t a, std::size_t b, const Action& action) const {
     if (!boxes_[a].overlaps(boxes_[b])) return;

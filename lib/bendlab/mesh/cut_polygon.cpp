@@ -47,29 +47,31 @@ class EarCutter {
  public:
   using Triangle = std::array<std::size_t, 3>;
 
-  // The polygon as it looks from the tip of `normal`.
+  // The polygon as seen from the tip of `normal`, in two dimensions.
   EarCutter(std::span<const Vector3> corners, const Vector3& normal, double thickness)
       : thickness_(thickness) {
     const Vector3 x = normal.unitOrthogonal(), y = normal.normalized().cross(x);
     for (const Vector3& p : corners) points_.emplace_back((p - corners[0]).dot(x), (p - corners[0]).dot(y));
   }
 
-  // Whether a fan around the first corner cuts it: seen from there, the other corners go around in order.
+  // Whether a fan around the first corner cuts the polygon: seen from the first corner, the other corners
+  // have to follow each other counter-clockwise, within one turn. No triangle may be thinner than
+  // `thickness`.
   bool is_fan(double thickness) const {
     double angle = 0;
     for (std::size_t c = 2; c < points_.size(); ++c) {
       if (!has_area(points_[0], points_[c - 1], points_[c], thickness)) return false;
       const Vector2 a = points_[c - 1] - points_[0], b = points_[c] - points_[0];
       if (points_.size() > 4)
-        angle += std::atan2(cross(a, b), a.dot(b));  // two triangles are less than a turn
+        angle += std::atan2(cross(a, b), a.dot(b));  // two triangles never make a whole turn
     }
     return angle < 2 * std::numbers::pi;
   }
 
-  // Whether two edges cross, by more than the thickness.
+  // Whether two edges cross by more than the thickness.
   bool crosses_itself() const {
     const std::size_t count = points_.size();
-    const auto apart = [&](std::size_t edge, std::size_t other) {  // on which sides of `edge` the other ends
+    const auto apart = [&](std::size_t edge, std::size_t other) {  // whether `other` ends on both sides
       const Vector2 &a = points_[edge], &b = points_[(edge + 1) % count];
       const double least = thickness_ * (b - a).norm(), first = turn(a, b, points_[other]),
                    second = turn(a, b, points_[(other + 1) % count]);
@@ -81,8 +83,9 @@ class EarCutter {
     return false;
   }
 
-  // Cuts off ears, each behind the last: triangles of three neighbouring corners with no other corner in
-  // them. A corner on a straight edge is no ear as long as there are others. False if none is left.
+  // Cuts off ears: an ear is a triangle of three neighbouring corners that contains no other corner. Each
+  // search begins behind the last ear. Thin ears, and then corners on a straight edge, are cut off only if
+  // there is no other ear. Returns false if no corner can be cut off.
   bool run(std::vector<Triangle>& triangles) {
     for (std::size_t c = 0; c < points_.size(); ++c) left_.push_back(c);
     for (std::size_t start = 0; left_.size() > 3;) {
@@ -105,7 +108,7 @@ class EarCutter {
     return {left_[(i + count - 1) % count], left_[i], left_[(i + 1) % count]};
   }
 
-  // The first of the corners left from `start` on; their number if there is none.
+  // Index in left_ of the first corner with the property, from `start` on; left_.size() if no corner has it.
   template <class Property>
   std::size_t find(std::size_t start, const Property& has) const {
     for (std::size_t k = 0; k < left_.size(); ++k)
@@ -127,7 +130,7 @@ class EarCutter {
                  ca = -thickness * (a - c).norm();
     return std::ranges::none_of(left_, [&](std::size_t other) {
       const Vector2& p = points_[other];
-      if (p == a || p == b || p == c) return false;  // the corner itself, or where a bridge to a hole returns
+      if (p == a || p == b || p == c) return false;  // a corner of the ear, or its copy on a bridge to a hole
       return turn(a, b, p) >= ab && turn(b, c, p) >= bc && turn(c, a, p) >= ca;
     });
   }
@@ -144,9 +147,8 @@ void cut_polygon(std::span<const Vector3> corners, double thickness,
   triangles.clear();
   if (corners.size() == 3) return;
   constexpr const char* crosses =
-      "the face crosses itself, so that it cannot be cut into triangles: cut it into triangles where the "
-      "mesh "
-      "was made";
+      "the face crosses itself, so that it cannot be cut into triangles: cut it into triangles in the "
+      "program that made the mesh";
   const Vector3 normal = newell_normal(corners);
   if (!(normal.norm() > 0)) {
     if (on_one_line(corners, thickness)) return;
@@ -157,7 +159,8 @@ void cut_polygon(std::span<const Vector3> corners, double thickness,
   if (corners.size() > most_corners_cut) {
     if (cutter.is_fan(0)) return;
     throw std::invalid_argument(fmt::format(
-        "the face has {} corners, and at most {} are cut: cut it into smaller ones where the mesh was made",
+        "the face has {} corners, but only faces of at most {} corners are cut into triangles: cut it into "
+        "smaller faces in the program that made the mesh",
         corners.size(), most_corners_cut));
   }
   if (cutter.crosses_itself() || !cutter.run(triangles)) throw std::invalid_argument(crosses);

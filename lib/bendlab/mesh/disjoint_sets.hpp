@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// At first each of 0 … count - 1 is a set of its own. The representative of a set is its lowest element.
+/// At first each number 0 … count - 1 is a set of its own. The representative of a set is its lowest element.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) {

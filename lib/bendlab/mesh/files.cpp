@@ -66,7 +66,7 @@ void write_obj(std::ostream& out, const TriangleMesh& mesh) {
   }
 }
 
-// The part that OFF and PLY have in common.
+// The vertices and triangles, which OFF and PLY write alike.
 void write_lists(std::ostream& out, const TriangleMesh& mesh) {
   for (const auto& p : mesh.positions.rowwise()) fmt::print(out, "{} {} {}\n", p(0), p(1), p(2));
   for (const auto& t : mesh.triangles.rowwise()) fmt::print(out, "3 {} {} {}\n", t(0), t(1), t(2));
@@ -97,7 +97,7 @@ AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy) {
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
   AcceptedMesh accepted = read(
       path, BadTriangles::refuse,
-      fmt::format("by 'bendlab mesh {} --bad-triangles repair --write NEW.obj', and name NEW.obj instead",
+      fmt::format("run 'bendlab mesh {} --bad-triangles repair --write NEW.obj' and name NEW.obj instead",
                   path.string()));
   if (notes != nullptr) notes->insert(notes->end(), accepted.notes.begin(), accepted.notes.end());
   return std::move(accepted.mesh);

@@ -26,21 +26,22 @@ class MeshFileError : public std::runtime_error {
   Kind kind_;
 };
 
-/// Reads a file by its extension (.obj, .ply, .off, .stl; upper or lower case), in text or binary form as far
-/// as the format has them. Polygons with more than three corners are cut into triangles (cut_polygon.hpp).
-/// OBJ: with texture coordinates if every corner has one. STL has no indices: exactly equal
-/// points become one vertex. Vertices and indices are not checked. Throws MeshFileError.
+/// Reads a file in the format of its extension (.obj, .ply, .off, .stl; upper or lower case), as text or
+/// binary if the format has both forms. Polygons with more than three corners are cut into triangles
+/// (cut_polygon.hpp). The soup of an OBJ file has texture coordinates if every corner has them. STL has no
+/// indices: exactly equal points become one vertex. Vertices and indices are not checked. Throws
+/// MeshFileError.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
-/// The same of a file's bytes; `path` is its name.
+/// The same for bytes that are already in memory; `path` is the name of their file.
 PolygonSoup parse_polygon_soup(const std::filesystem::path& path, const std::string& bytes);
 
-/// A mesh that can be simulated, by the policy of bad_triangles.hpp. Throws MeshFileError with every problem
-/// that the policy refuses.
+/// Reads a mesh that can be simulated. `policy` says what to do about its problems (bad_triangles.hpp).
+/// Throws MeshFileError with every problem that the policy refuses.
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy);
 
-/// Refuses a mesh in which diagnose() finds problems, but leaves out isolated vertices: for meshes that no
-/// config has a policy for. `notes`, if given, receives what was left out.
+/// The same with the policy `refuse`, for meshes whose policy no config sets. Isolated vertices are left out.
+/// `notes`, if given, receives warnings about what was left out.
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes .obj (with texture coordinates), .ply or .off as text that reads back to the same numbers. Throws

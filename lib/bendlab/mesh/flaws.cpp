@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 12> flaws = {"none",
                                                     "mixed_orientation",
                                                     "hole"};
 
-constexpr int every = 20;  // one in so many gets the flaw
+constexpr int every = 20;  // one of this many vertices, triangles or edges gets the flaw
 
 void refuse_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() > 0)
@@ -58,7 +58,7 @@ void add_vertices(TriangleMesh& mesh, const std::vector<Vector3>& points) {
     mesh.positions.row(before + static_cast<Eigen::Index>(i)) = points[i].transpose();
 }
 
-// Without the vertices that no triangle has.
+// The mesh without the vertices that no triangle uses.
 TriangleMesh compacted(const TriangleMesh& mesh) {
   std::vector<int> new_index(static_cast<std::size_t>(mesh.vertex_count()), -1);
   for (const auto& row : mesh.triangles.rowwise())
@@ -76,13 +76,13 @@ TriangleMesh compacted(const TriangleMesh& mesh) {
   return result;
 }
 
-// An interior vertex, and one of its triangles with the vertex first.
+// An interior vertex and its triangles.
 struct Star {
   int vertex;
   std::vector<Eigen::RowVector3i> triangles;  // each turned so that the vertex comes first
 };
 
-// Interior vertices about `every` apart, no two of which have a neighbour in common.
+// Interior vertices, about one of `every`. No two of them have a neighbour in common.
 std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   const RestMesh rest(mesh);
   std::vector<char> taken(static_cast<std::size_t>(rest.vertex_count()), 0);
@@ -106,8 +106,8 @@ std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   return stars;
 }
 
-// Moves the vertex of every star to target(p, a, b): p is its position, a and b are those of the other two
-// corners of one of its triangles.
+// Moves the vertex of every star to target(p, a, b): p is the vertex's position, a and b are the positions of
+// the other two corners of one of its triangles.
 template <class Target>
 TriangleMesh with_moved(TriangleMesh mesh, Target target) {
   for (const Star& star : scattered_stars(mesh)) {
@@ -207,7 +207,7 @@ TriangleMesh with_mixed_orientation(TriangleMesh mesh) {
 
 TriangleMesh with_hole(const TriangleMesh& mesh) {
   const RestMesh rest(mesh);
-  constexpr double radius = 0.15;  // sizes
+  constexpr double radius = 0.15;  // mesh sizes
   std::vector<Eigen::RowVector3i> triangles = triangles_of(mesh);
   std::erase_if(triangles, [&](const Eigen::RowVector3i& t) {
     const Vector3 middle = (rest.position(t(0)) + rest.position(t(1)) + rest.position(t(2))) / 3;
@@ -258,7 +258,8 @@ TriangleMesh with_flaw(TriangleMesh mesh, std::string_view flaw) {
   if (flaw == "pieces") return cut_in_two(std::move(mesh));
   if (flaw == "mixed_orientation") return with_mixed_orientation(std::move(mesh));
   if (flaw == "hole") return with_hole(mesh);
-  throw std::invalid_argument(fmt::format("'{}' is no flaw; these are: {}", flaw, fmt::join(flaws, ", ")));
+  throw std::invalid_argument(
+      fmt::format("'{}' is not a known flaw; known flaws are {}", flaw, fmt::join(flaws, ", ")));
 }
 
 TriangleMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed) {

@@ -17,7 +17,7 @@
 namespace bendlab {
 namespace {
 
-constexpr int max_count = 16384;  // 4 times its square is still an int
+constexpr int max_count = 16384;  // 4 times its square still fits into an int
 
 double checked_size(std::string_view name, double metres) {
   if (std::isfinite(metres) && metres > 0) return metres;
@@ -62,7 +62,7 @@ class MeshBuilder {
 };
 
 // Points in a rectangle that keep a distance from each other. The cells of a background grid are so small
-// that each holds at most one point. (In a strip thinner than a cell, points of both sides share one; no
+// that each holds at most one point. (In a strip thinner than a cell, points of both sides share a cell. No
 // interior point has room there anyway.)
 class DiscSampler {
  public:
@@ -118,7 +118,7 @@ TriangleMesh grid(double width, double height, int cells_x, int cells_y, Diagona
   checked_count("cells along y", cells_y);
 
   const bool both = diagonal == Diagonal::both;
-  const int stride = cells_x + 1 + (both ? cells_x : 0);  // from a corner to the one above it
+  const int stride = cells_x + 1 + (both ? cells_x : 0);  // from a vertex to the vertex above it
   MeshBuilder builder;
   for (int j = 0; j <= cells_y; ++j) {
     for (int i = 0; i <= cells_x; ++i)
@@ -151,7 +151,7 @@ TriangleMesh equilateral(double width, double height, int cells_along, Rows rows
   checked_size("width", width);
   checked_size("height", height);
   checked_count("cells along the long side", cells_along,
-                2);  // with 1 the set-in rows would be single vertices
+                2);  // with 1 the shorter rows would be single vertices
 
   const double long_side = std::max(width, height), short_side = std::min(width, height);
   const double edge = long_side / cells_along, strip_height = edge * std::numbers::sqrt3 / 2;
@@ -179,7 +179,7 @@ TriangleMesh equilateral(double width, double height, int cells_along, Rows rows
     const auto& wide = j % 2 == 1 ? below : row;
     const auto& narrow = j % 2 == 1 ? row : below;
     const auto add = [&](int a, int b, int c) {
-      if (j % 2 == 0) std::swap(a, b);  // counter-clockwise as given where `wide` lies below
+      if (j % 2 == 0) std::swap(a, b);  // the given order is counter-clockwise if `wide` lies below
       builder.add_triangle(a, b, c);
     };
     for (std::size_t i = 0; i < narrow.size(); ++i) {
@@ -197,11 +197,12 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
   const double spacing = width / cells;
   const int rows = checked_count("number of rows", std::max(1.0, std::round(height / spacing)));
 
-  constexpr int darts_per_point = 30;  // as many as Bridson, "Fast Poisson disk sampling", 2007
-  // These darts find room for 0.62 points per distance²: one per spacing².
+  constexpr int darts_per_point = 30;  // as in Bridson, "Fast Poisson disk sampling", 2007
+  // So many darts find room for 0.62 points per distance², which is one point per spacing².
   constexpr double relative_distance = 0.79;
   DiscSampler sampler(width, height, relative_distance * spacing);
-  // Corners are exact: a corner off the lines of its sides would make slivers along them.
+  // Corners are placed exactly: a corner that is slightly off the line of a side would make slivers along
+  // that side.
   for (const double x : {-width / 2, width / 2})
     for (const double y : {-height / 2, height / 2}) sampler.add({x, y});
   for (int i = 1; i < cells; ++i)
@@ -256,7 +257,8 @@ TriangleMesh tube(double radius, double radius_top, double height, int cells) {
   checked_size("height", height);
   checked_count("cells around", cells, 3);
 
-  // Near radius r an edge is 2 r sin(π/cells) and a row √3/2 of it, so rows are even in the logarithm of r.
+  // Near radius r an edge is 2 r sin(π/cells) long and a row √3/2 of that high, so rows are evenly spaced in
+  // the logarithm of r.
   const double slant = std::hypot(radius_top - radius, height), growth = std::log(radius_top / radius);
   const double mean_radius =
       std::abs(growth) < 1e-6 ? (radius + radius_top) / 2 : (radius_top - radius) / growth;
@@ -277,7 +279,7 @@ TriangleMesh tube(double radius, double radius_top, double height, int cells) {
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < cells; ++i) {
       const int turned =
-          j % 2;  // the row above lies half a cell ahead of an even row, half behind an odd one
+          j % 2;  // the row above lies half a cell ahead of an even row, half a cell behind an odd row
       builder.add_triangle(vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + turned));
       builder.add_triangle(vertex(j + 1, i + 1), vertex(j + 1, i), vertex(j, i + 1 - turned));
     }
@@ -288,9 +290,9 @@ TriangleMesh sphere(double radius, int cells) {
   checked_size("radius", radius);
   checked_count("cells", cells);
   MeshBuilder builder;
-  std::map<std::array<int, 3>, int> known;  // lattice point with |i| + |j| + |k| = cells → vertex
+  std::map<std::array<int, 3>, int> vertices;  // lattice point with |i| + |j| + |k| = cells → vertex
   const auto vertex = [&](const Eigen::Array3i& lattice) {
-    const auto [entry, is_new] = known.try_emplace({lattice.x(), lattice.y(), lattice.z()}, 0);
+    const auto [entry, is_new] = vertices.try_emplace({lattice.x(), lattice.y(), lattice.z()}, 0);
     if (is_new) {
       const Vector3 point = radius * lattice.cast<double>().matrix().normalized();
       entry->second = builder.add_vertex(point.x(), point.y(), point.z());
@@ -300,7 +302,7 @@ TriangleMesh sphere(double radius, int cells) {
   for (int octant = 0; octant < 8; ++octant) {
     const Eigen::Array3i sign(octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1);
     const auto add = [&](Eigen::Array3i a, Eigen::Array3i b, const Eigen::Array3i& c) {
-      if (sign.prod() < 0) std::swap(a, b);  // a mirrored face runs the other way round
+      if (sign.prod() < 0) std::swap(a, b);  // mirroring reverses the orientation
       builder.add_triangle(vertex(sign * a), vertex(sign * b), vertex(sign * c));
     };
     for (int i = 0; i < cells; ++i)

@@ -15,7 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Distance of c from the source with the triangle unfolded into a plane: a at the origin, b at (base, 0), c
 // above the base, and the source below it at the distances `to_a` and `to_b`. Infinite if the straight path
-// misses the base: the path then leads around a or b.
+// misses the base: then the shortest path leads through a or b.
 double unfolded(double to_a, double to_b, double base, double a_to_c, double b_to_c) {
   if (!(base > 0)) return infinity;
   const double x = (to_a * to_a - to_b * to_b + base * base) / (2 * base), depth = to_a * to_a - x * x;
@@ -26,28 +26,28 @@ double unfolded(double to_a, double to_b, double base, double a_to_c, double b_t
   return crossing >= 0 && crossing <= base ? std::hypot(cx - x, cy + y) : infinity;
 }
 
-// Distances from several sources at once. A vertex keeps those of its nearest sources, not of the nearest one
-// alone: a path is unfolded through two corners that know the same source, and corners between two sources
-// would seldom agree on one.
+// Distances from several sources at once. A vertex keeps the distances of up to 8 nearest sources, not only
+// of the nearest source: a path is unfolded through two corners that know the same source, and two corners
+// between two sources often have different nearest sources.
 class Front {
  public:
   explicit Front(const RestMesh& rest)
       : rest_(rest), triangles_(vertex_triangles()), known_(static_cast<std::size_t>(rest.vertex_count())) {}
 
-  // Begins anew with paths shorter than `limit`.
+  // Starts again. Only paths shorter than `limit` count.
   void start(std::span<const int> sources, double limit) {
     for (const int v : reached_) known_[static_cast<std::size_t>(v)] = {};
     reached_.clear(), limit_ = limit;
     for (const int v : sources) reach(v, 0, v);
   }
 
-  // Dijkstra's order. But a vertex that turns out to be nearer passes its distance on again: beyond an obtuse
-  // corner the path may come back.
+  // Visits vertices in Dijkstra's order. But a vertex that later turns out to be nearer passes its distance
+  // on again, because beyond an obtuse corner the path may come back.
   void spread() {
     while (!front_.empty()) {
       const auto [distance, v, source] = front_.top();
       front_.pop();
-      if (distance != distance_of(v, source)) continue;  // nearer since, or forgotten
+      if (distance != distance_of(v, source)) continue;  // a nearer path was found, or the source was dropped
       for (const int w : rest_.one_ring()[v]) reach(w, distance + apart(v, w), source);
       for (const int t : triangles_[static_cast<std::size_t>(v)]) {
         const auto corner = rest_.triangles().row(t);
@@ -61,12 +61,12 @@ class Front {
   struct Reached {
     double distance = infinity;
     int source = -1;
-    int times = 0;  // how often it has become nearer to this source
+    int times = 0;  // how often a nearer path to this source was found
   };
   Reached nearest(int v) const {
     return *std::ranges::min_element(known_[static_cast<std::size_t>(v)], {}, &Reached::distance);
   }
-  // The vertices that some path reached.
+  // The vertices that a path reached.
   const std::vector<int>& reached() const { return reached_; }
 
  private:
@@ -74,24 +74,24 @@ class Front {
 
   double distance_of(int v, int source) const {
     const Known& known = known_[static_cast<std::size_t>(v)];
-    const auto found = std::ranges::find(known, source, &Reached::source);
-    return found == known.end() ? infinity : found->distance;
+    const auto entry = std::ranges::find(known, source, &Reached::source);
+    return entry == known.end() ? infinity : entry->distance;
   }
 
   double apart(int v, int w) const { return (rest_.position(v) - rest_.position(w)).norm(); }
 
-  // A source that is farther than all that the vertex keeps is forgotten.
+  // Records that v is this far from the source. If v already keeps 8 nearer sources, the distance is dropped.
   void reach(int v, double distance, int source) {
     Known& known = known_[static_cast<std::size_t>(v)];
-    auto place = std::ranges::find(known, source, &Reached::source);
-    if (place == known.end()) place = std::ranges::max_element(known, {}, &Reached::distance);
-    // A smaller gain, relative, is not passed on. Around triangles without height paths get shorter for ever:
-    // each time the gain has to be twice as large.
+    auto entry = std::ranges::find(known, source, &Reached::source);
+    if (entry == known.end()) entry = std::ranges::max_element(known, {}, &Reached::distance);
+    // A smaller relative gain is not passed on. Around triangles without height, paths would get shorter for
+    // ever. So the least gain doubles each time.
     constexpr double least_gain = 1e-10;
-    const int times = place->source == source ? place->times + 1 : 0;
-    if (!(distance < limit_ && distance < place->distance * (1 - std::ldexp(least_gain, times)))) return;
+    const int times = entry->source == source ? entry->times + 1 : 0;
+    if (!(distance < limit_ && distance < entry->distance * (1 - std::ldexp(least_gain, times)))) return;
     if (known.front().source < 0) reached_.push_back(v);
-    *place = {distance, source, times};
+    *entry = {distance, source, times};
     front_.push({distance, v, source});
   }
 

@@ -23,8 +23,8 @@ struct HalfEdge {
   auto operator<=>(const HalfEdge&) const = default;
 };
 
-/// All sides of so many triangles, in the order of their edges and then of the triangles. vertex(triangle,
-/// corner) is an index.
+/// All sides of `triangle_count` triangles, sorted by edge and then by triangle. vertex(triangle, corner)
+/// gives a vertex's index.
 template <class Index, class Vertex>
 std::vector<HalfEdge<Index>> half_edges(Index triangle_count, const Vertex& vertex) {
   const auto for_each_side = [&](const auto& action) {
@@ -34,9 +34,9 @@ std::vector<HalfEdge<Index>> half_edges(Index triangle_count, const Vertex& vert
         action(HalfEdge<Index>{std::min(from, to), std::max(from, to), 3 * t + c});
       }
   };
-  // A bucket per lower vertex, each sorted: in 0.5 to 0.9 of the time of sorting all (2 thousand to 2 million
-  // triangles).
-  std::vector<std::size_t> place;  // of the bucket's next side
+  // Fills a bucket per lower vertex and sorts every bucket. That takes 0.5 to 0.9 of the time of sorting all
+  // sides at once (2 thousand to 2 million triangles).
+  std::vector<std::size_t> place;  // where the next side of each bucket goes
   for_each_side([&](const HalfEdge<Index>& side) {
     const auto next = static_cast<std::size_t>(side.low) + 1;
     if (place.size() <= next) place.resize(next + 1);
@@ -59,7 +59,7 @@ inline std::vector<HalfEdge<int>> half_edges(const Triangles& triangles) {
   return half_edges(static_cast<int>(triangles.rows()), [&](int t, int c) { return triangles(t, c); });
 }
 
-/// Calls action(std::span of its half-edges) for each edge.
+/// Calls `action` for each edge, with a std::span of the edge's half-edges.
 template <class Index, class Action>
 void for_each_edge(const std::vector<HalfEdge<Index>>& sides, const Action& action) {
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {

@@ -23,9 +23,9 @@ struct RestTriangle {
     if (least_height > 0) regularise(least_height);
   }
 
-  // Gives the triangle a height: moves the corner between the two others off their line. Three equal points
-  // first become a line of that length. The direction is arbitrary: towards the axis farthest from the
-  // line's.
+  // Gives the triangle a height: moves the corner opposite the longest edge away from that edge's line. Three
+  // equal points first become a line as long as the height. The direction is arbitrary: towards the
+  // coordinate axis that is most nearly perpendicular to the line.
   void regularise(double height) {
     std::array<Vector3, 3> corner = {Vector3::Zero(), e1, e2};
     std::size_t apex = 0;  // opposite the longest edge
@@ -58,9 +58,9 @@ struct RestTriangle {
     return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
   }
 
-  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). A corner's part
-  // is zero if its opposite edge lies along the axis. It has to be exactly zero: if that edge is pinned, a
-  // projection divides by it.
+  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). A corner's
+  // gradient is zero if the edge opposite the corner lies along the axis. It has to be exactly zero: if that
+  // edge is pinned, a projection would divide by the rounding error.
   static void snap(double& b, double& c) {
     constexpr double rounding = 1e-9;  // of the column's largest entry
     const double limit = rounding * std::max(std::abs(b), std::abs(c));
@@ -70,7 +70,7 @@ struct RestTriangle {
   }
 };
 
-// #T: 0, or the least height of a degenerate triangle's rest shape, m.
+// #T, m: the least height of the rest shape if the triangle is degenerate, else 0.
 std::vector<double> least_heights(const TriangleMesh& mesh) {
   const std::vector<char> degenerate = triangles_without_area(mesh);
   const double height = regular_height_of_size *
@@ -114,7 +114,7 @@ std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
     constexpr double degenerate = 1e-12;  // of the longest texture edge squared
     if (!(std::abs(texture.determinant()) > degenerate * longest))
       throw std::invalid_argument(fmt::format(
-          "triangle {} has degenerate texture coordinates: mend the texture or use the warp direction", t));
+          "triangle {} has degenerate texture coordinates: repair the texture or use the warp direction", t));
     // [t_u, t_v] = [e1, e2] texture⁻¹: u grows along t_u.
     const Eigen::Vector2d first = texture.inverse().col(0);
     inverses.push_back(triangle.inverse_along(first(0) * triangle.e1 + first(1) * triangle.e2));

@@ -10,7 +10,7 @@
 
 namespace bendlab {
 
-/// Where material coordinates come from: a direction of the warp threads, or texture coordinates.
+/// Where material coordinates come from: the direction of the warp threads, or texture coordinates.
 enum class MaterialCoordinates { warp, texture };
 inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"warp", "texture"};
 
@@ -18,13 +18,13 @@ inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"
 using InverseRest = std::array<double, 4>;
 
 /// One per triangle. The warp axis is `warp_direction` projected into the triangle's rest plane, or the
-/// triangle's first edge if it is perpendicular to the plane. A degenerate triangle gets a height first (see
-/// bad_triangles.hpp), to an arbitrary side of its line.
+/// triangle's first edge if it is perpendicular to the plane. A degenerate triangle first gets a height (see
+/// bad_triangles.hpp), on an arbitrary side of its line.
 std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction);
 
 /// One per triangle. The warp axis is the texture's u direction in the rest plane; stretched textures are
 /// allowed, because only the direction is used (SBD 2014, appendix). Throws std::invalid_argument if the mesh
-/// has no texture coordinates or a triangle's are degenerate.
+/// has no texture coordinates or a triangle has degenerate texture coordinates.
 std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh);
 
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/version.h>
-#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed them
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed both headers
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
 #else
@@ -38,10 +38,10 @@ Point point_of(const Vector3& x) {
   return {x.x(), x.y(), x.z()};
 }
 
-// Radians: an edge bent by less counts as flat. What touches it touches a face.
+// rad. An edge that is bent by less counts as flat: cloth that touches it also touches a face.
 constexpr double flat = 0.01;
 
-// CGAL's predicates divide by zero where a coordinate, or a square of it, is not finite.
+// CGAL's predicates divide by zero if a coordinate or its square is not finite.
 bool can_be_compared(const Vector3& x) {
   return x.allFinite() && x.cwiseAbs().maxCoeff() < 1e100;
 }
@@ -84,10 +84,10 @@ struct MeshSurface::Tree {
 
   template <class Query>
   std::vector<int> intersected(const Query& query) const {
-    std::vector<Iterator> found;
-    tree.all_intersected_primitives(query, std::back_inserter(found));
+    std::vector<Iterator> primitives;
+    tree.all_intersected_primitives(query, std::back_inserter(primitives));
     std::vector<int> indices;
-    for (const Iterator& triangle : found) indices.push_back(index(triangle));
+    for (const Iterator& triangle : primitives) indices.push_back(index(triangle));
     std::ranges::sort(indices);
     return indices;
   }
@@ -98,7 +98,7 @@ std::string cgal_version() {
 }
 
 MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-  double volume = 0;  // six times; negative if the normals of a closed mesh point inwards
+  double volume = 0;  // times six; negative if the normals of a closed mesh point inwards
   for (const auto& t : mesh_.triangles.rowwise())
     volume += (corner(t(0)) - corner(0)).dot((corner(t(1)) - corner(0)).cross(corner(t(2)) - corner(0)));
   for_each_edge(half_edges(mesh_.triangles),
@@ -111,7 +111,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
 
 MeshSurface::~MeshSurface() = default;
 
-// Angle-weighted at corners: with these, the sign of (x - nearest) · normal is the side of x.
+// Normals at corners are weighted by angles: then the sign of (x - nearest) · normal says on which side x is.
 void MeshSurface::find_normals() {
   corner_normals_.assign(static_cast<std::size_t>(mesh_.vertex_count()), Vector3::Zero());
   for (const auto& t : mesh_.triangles.rowwise()) {
@@ -119,9 +119,9 @@ void MeshSurface::find_normals() {
     const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
     face_normals_.push_back(normal);
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 one = x[(i + 1) % 3] - x[i], other = x[(i + 2) % 3] - x[i];
+      const Vector3 to_next = x[(i + 1) % 3] - x[i], to_previous = x[(i + 2) % 3] - x[i];
       corner_normals_[static_cast<std::size_t>(t(static_cast<Eigen::Index>(i)))] +=
-          std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
+          std::atan2(to_next.cross(to_previous).norm(), to_next.dot(to_previous)) * normal;
     }
   }
   for (Vector3& normal : corner_normals_) normal.normalize();
@@ -143,11 +143,11 @@ void MeshSurface::find_ridges() {
     const auto index = [](int i) { return static_cast<std::size_t>(i); };
     const int low = sides[0].low, high = sides[0].high;
     if (sides.size() == 2) {
-      const Vector3 &one = face_normals_[index(sides[0].triangle())],
-                    &other = face_normals_[index(sides[1].triangle())];
+      const Vector3 &first = face_normals_[index(sides[0].triangle())],
+                    &second = face_normals_[index(sides[1].triangle())];
       const int opposite = mesh_.triangles(sides[1].triangle(), (sides[1].corner() + 2) % 3);
-      const bool bent = one.cross(other).norm() > flat || one.dot(other) < 0;
-      const bool concave = one.dot(corner(opposite) - corner(low)) > 0;
+      const bool bent = first.cross(second).norm() > flat || first.dot(second) < 0;
+      const bool concave = first.dot(corner(opposite) - corner(low)) > 0;
       if (!bent || (closed_ && concave)) return;
     }
     for (const HalfEdge<int>& side : sides)
@@ -190,7 +190,7 @@ std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& 
   for (const int t : tree_->intersected(Kernel::Segment_3(point_of(from), point_of(to)))) {
     const Vector3& normal = face_normals_[static_cast<std::size_t>(t)];
     const double height = normal.dot(from - corner(mesh_.triangles(t, 0))), fall = normal.dot(from - to);
-    if (fall == 0) continue;  // parallel to the triangle: the segment crosses others
+    if (fall == 0) continue;  // parallel to this triangle: the segment crosses another
     if (const double s = std::clamp(height / fall, 0.0, 1.0); s < earliest) {
       earliest = s;
       first = Crossing{from + s * (to - from), fall > 0 ? normal : Vector3(-normal), fall > 0};
@@ -202,9 +202,9 @@ std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& 
 void MeshSurface::triangles_in_box(const Vector3& low, const Vector3& high,
                                    std::vector<int>& triangles) const {
   if (!can_be_compared(low) || !can_be_compared(high)) return;
-  const std::vector<int> found =
+  const std::vector<int> in_box =
       tree_->intersected(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()));
-  triangles.insert(triangles.end(), found.begin(), found.end());
+  triangles.insert(triangles.end(), in_box.begin(), in_box.end());
 }
 
 }  // namespace bendlab

@@ -21,16 +21,16 @@ std::string cgal_version();
 class MeshSurface {
  public:
   struct Nearest {
-    Vector3 point;    ///< of the mesh, m
-    Vector3 normal;   ///< unit, of the face, edge or corner there (angle-weighted)
+    Vector3 point;    ///< nearest point of the mesh, m
+    Vector3 normal;   ///< unit normal of the face, edge or corner there; angle-weighted at corners
     double distance;  ///< m, at least 0
-    bool inside;      ///< of a closed mesh: behind the surface (Bærentzen & Aanæs 2005)
+    bool inside;      ///< behind the surface (Bærentzen & Aanæs 2005); false for an open mesh
   };
 
   struct Crossing {
     Vector3 point;    ///< m
-    Vector3 normal;   ///< unit, of the triangle, towards the side that the segment comes from
-    bool from_front;  ///< the triangle's own normal points to that side
+    Vector3 normal;   ///< unit normal of the triangle, towards the side that the segment comes from
+    bool from_front;  ///< whether the triangle's own normal points to that side
   };
 
   /// An edge that is bent enough for cloth to touch it without touching a face.
@@ -39,7 +39,8 @@ class MeshSurface {
     Vector3 normal;  ///< unit, mean of its triangles' normals
   };
 
-  /// Expects a mesh that was diagnosed (see files.hpp). Turns a closed mesh whose normals point inwards.
+  /// Expects a mesh without the problems of diagnose(), as read_mesh() returns it (files.hpp). Reverses the
+  /// triangles of a closed mesh whose normals point inwards.
   explicit MeshSurface(TriangleMesh mesh);
   ~MeshSurface();
   MeshSurface(const MeshSurface&) = delete;
@@ -49,7 +50,7 @@ class MeshSurface {
   /// Whether every edge has two triangles, so that the mesh has an inside.
   bool closed() const { return closed_; }
 
-  /// Infinitely far for a point that is not finite; what follows then finds nothing.
+  /// If x is not finite, the distance is infinite, so that callers find no contact.
   Nearest nearest(const Vector3& x) const;
   /// Where the segment first meets the mesh.
   std::optional<Crossing> first_crossing(const Vector3& from, const Vector3& to) const;
@@ -59,11 +60,12 @@ class MeshSurface {
   Vector3 corner(int vertex) const { return mesh_.positions.row(vertex).transpose(); }
   const Vector3& corner_normal(int vertex) const { return corner_normals_[static_cast<std::size_t>(vertex)]; }
   const std::vector<Ridge>& ridges() const { return ridges_; }
-  /// For each edge of a triangle (0 to 1, 1 to 2, 2 to 0) its index in ridges(), or -1 if it is none.
+  /// For each edge of a triangle (0 to 1, 1 to 2, 2 to 0) its index in ridges(), or -1 if the edge is no
+  /// ridge.
   const std::array<int, 3>& ridges_of(int triangle) const {
     return ridges_of_[static_cast<std::size_t>(triangle)];
   }
-  /// Whether any ridge ends there, so that cloth may touch the corner alone.
+  /// Whether a ridge ends at the vertex, so that cloth may touch the corner alone.
   bool is_pointed(int vertex) const { return pointed_[static_cast<std::size_t>(vertex)] != 0; }
 
  private:
@@ -75,7 +77,7 @@ class MeshSurface {
   TriangleMesh mesh_;
   bool closed_ = true;
   std::vector<Vector3> face_normals_, corner_normals_;
-  std::vector<std::array<Vector3, 3>> edge_normals_;  // #T, of the edges 0 to 1, 1 to 2, 2 to 0
+  std::vector<std::array<Vector3, 3>> edge_normals_;  // #T: edges 0 to 1, 1 to 2, 2 to 0
   std::vector<Ridge> ridges_;
   std::vector<std::array<int, 3>> ridges_of_;
   std::vector<char> pointed_;

@@ -13,7 +13,7 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-// The points that stay themselves, by the cell of a grid that they lie in.
+// The kept points, sorted into the cells of a grid.
 class Cells {
  public:
   Cells(const std::vector<std::array<double, 3>>& points, const Vector3& origin, double tolerance)
@@ -21,10 +21,11 @@ class Cells {
 
   void add(std::size_t p) { points_in_[cell_of(at(p))].push_back(p); }
 
-  // The nearest of them within the tolerance; ties go to the first. Else `p`.
+  // The nearest kept point within the tolerance of point p; ties go to the first. Returns p if there is no
+  // such point.
   std::size_t nearest(std::size_t p) const {
     const Cell low = cell_of(at(p).array() - tolerance_), high = cell_of(at(p).array() + tolerance_);
-    std::size_t found = p;
+    std::size_t best = p;
     double least = tolerance_;
     for (std::int64_t x = low[0]; x <= high[0]; ++x)
       for (std::int64_t y = low[1]; y <= high[1]; ++y)
@@ -33,17 +34,17 @@ class Cells {
           if (cell == points_in_.end()) continue;
           for (const std::size_t other : cell->second) {
             const double distance = (at(other) - at(p)).norm();
-            if (found == p ? distance > least : distance >= least) continue;
-            found = other, least = distance;
+            if (best == p ? distance > least : distance >= least) continue;
+            best = other, least = distance;
           }
         }
-    return found;
+    return best;
   }
 
  private:
   Vector3 at(std::size_t p) const { return Eigen::Map<const Vector3>(points_[p].data()); }
 
-  // Large against the tolerance, so that a point seldom has to look into a second cell.
+  // Cells are large compared with the tolerance, so that the search for a point seldom needs a second cell.
   Cell cell_of(const Vector3& p) const {
     const double size = tolerance_ > 0 ? 32 * tolerance_ : 1;
     Cell cell;
@@ -68,7 +69,7 @@ std::vector<std::size_t> near_points(const std::vector<std::array<double, 3>>& p
   Eigen::AlignedBox3d box;
   for (std::size_t p = 0; p < points.size(); ++p)
     if (used[p] != 0) box.extend(Eigen::Map<const Vector3>(points[p].data()));
-  // No grid of integers for what is nearly as large as numbers can be: it is refused later.
+  // Cell indices of huge coordinates do not fit into 64 bits. A mesh with such coordinates is refused later.
   if (box.isEmpty() || !std::isfinite(tolerance) ||
       !(box.diagonal().maxCoeff() < 1e15 * std::max(tolerance, 1.0)))
     return same_as;

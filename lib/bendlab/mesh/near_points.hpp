@@ -1,4 +1,4 @@
-// Points that lie so near to each other that they are meant to be one.
+// Finds points that lie so near to each other that they are meant to be the same point.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace bendlab {
 
-/// #P: the nearest earlier point within `tolerance` (m) that stays itself, or else the point itself. So all
-/// points that become one lie within the tolerance of it. Points that are not `used` stay themselves; the
-/// others have to be finite.
+/// #P: the point that replaces each point: the nearest earlier kept point within `tolerance` (m). If there is
+/// no such point, the point itself is kept. So all points that are united lie within the tolerance of the
+/// kept point. Points that are not `used` stay as they are; `used` points have to be finite.
 std::vector<std::size_t> near_points(const std::vector<std::array<double, 3>>& points,
                                      const std::vector<char>& used, double tolerance);
 

@@ -23,7 +23,7 @@ class ObjReader {
       const std::string_view key = lines_.word(0);
       if (key == "v") read_point();
       if (key == "vt") read_texture();
-      if (key == "f" || key == "fo") read_face();  // fo: its name in old files
+      if (key == "f" || key == "fo") read_face();  // fo: the keyword in old files
     }
     polygons_.cut(corner_textures_);
     look_up_textures();
@@ -31,13 +31,13 @@ class ObjReader {
   }
 
  private:
-  // x y z, then a weight, a colour or both, which are not used.
+  // x y z. A weight, a colour or both may follow; they are checked, but not used.
   void read_point() {
     soup_.points.push_back({lines_.real(1), lines_.real(2), lines_.real(3)});
     for (std::size_t i = 4; i < lines_.word_count(); ++i) lines_.real(i);
   }
 
-  // u, then v and w, which may be left out.
+  // u v w. v and w may be left out.
   void read_texture() {
     textures_.push_back({lines_.real(1), lines_.word_count() > 2 ? lines_.real(2) : 0.0});
     if (!std::isfinite(textures_.back()[0]) || !std::isfinite(textures_.back()[1]))
@@ -46,22 +46,24 @@ class ObjReader {
 
   // Corners v, v/vt, v//vn or v/vt/vn; a number behind a slash may be left out.
   void read_face() {
-    vertices_.clear(), of_corners_.clear();
+    vertices_.clear(), face_textures_.clear();
     for (std::size_t i = 1; i < lines_.word_count(); ++i) {
       const std::string_view word = lines_.word(i);
       const std::size_t slash = std::min(word.find('/'), word.size());
       vertices_.push_back(index(word.substr(0, slash), soup_.points.size()));
       if (vertices_.back() == no_index)
-        lines_.fail(fmt::format("{} names vertex {}, and there are {} before it", TextLines::quoted(word),
-                                TextLines::quoted(word.substr(0, slash)), soup_.points.size()));
-      of_corners_.push_back(texture_of(word.substr(std::min(slash + 1, word.size()))));
+        lines_.fail(fmt::format("{} names vertex {}, but there are only {} before it",
+                                TextLines::quoted(word), TextLines::quoted(word.substr(0, slash)),
+                                soup_.points.size()));
+      face_textures_.push_back(texture_of(word.substr(std::min(slash + 1, word.size()))));
     }
     polygons_.add(vertices_, lines_.line());
-    for (std::size_t c = 2; c < of_corners_.size(); ++c)
-      corner_textures_.push_back({of_corners_[0], of_corners_[c - 1], of_corners_[c]});
+    for (std::size_t c = 2; c < face_textures_.size(); ++c)
+      corner_textures_.push_back({face_textures_[0], face_textures_[c - 1], face_textures_[c]});
   }
 
-  // From what follows the first slash: "vt", "vt/", "vt/vn", "/vn" or nothing.
+  // The index of the texture coordinates, or no_index. `rest` is the text after the first slash: "vt", "vt/",
+  // "vt/vn", "/vn" or nothing.
   std::int64_t texture_of(std::string_view rest) {
     if (rest.empty()) return no_index;
     const std::size_t slash = std::min(rest.find('/'), rest.size());
@@ -70,13 +72,13 @@ class ObjReader {
     if (slash == 0) return no_index;
     const std::int64_t texture = index(rest.substr(0, slash), textures_.size());
     if (texture == no_index)
-      lines_.fail(fmt::format("texture coordinate {} is named, but there are {} before it",
+      lines_.fail(fmt::format("texture coordinate {} is named, but there are only {} before it",
                               TextLines::quoted(rest.substr(0, slash)), textures_.size()));
     return texture;
   }
 
-  // Counted from 0; `no_index` if a negative number counts back beyond the first of the `before` that there
-  // are.
+  // The index, counted from 0. A negative number counts back from the end of the `before` entries so far; if
+  // it goes beyond the first entry, the result is no_index.
   std::int64_t index(std::string_view text, std::size_t before) const {
     const std::int64_t number = lines_.integer_of(text);
     if (number == 0) lines_.fail("index 0: indices of vertices and texture coordinates count from 1");
@@ -109,7 +111,7 @@ class ObjReader {
   PolygonList polygons_{soup_, "line"};
   std::vector<std::array<double, 2>> textures_;
   std::vector<std::array<std::int64_t, 3>> corner_textures_;  // #T: indices into textures_, or no_index
-  std::vector<std::int64_t> vertices_, of_corners_;           // of the current face
+  std::vector<std::int64_t> vertices_, face_textures_;        // of the current face, by corner
 };
 
 }  // namespace

@@ -6,7 +6,8 @@
 
 namespace bendlab {
 
-// [ST][C][N]OFF, then counts of vertices, faces (and edges), then x y z … and n i1 … in … a line each.
+// An OFF file: [ST][C][N]OFF, then the counts of vertices, faces (and edges), then a line x y z … per vertex
+// and a line n i1 … in … per face.
 PolygonSoup parse_off(std::string_view bytes) {
   TextLines lines(bytes, '#');
   lines.need_next("its keyword OFF");

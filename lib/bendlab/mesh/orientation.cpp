@@ -14,27 +14,27 @@ class Turner {
  public:
   explicit Turner(const PolygonSoup& soup)
       : soup_(soup),
-        found_{.turned = std::vector<char>(soup.triangles.size(), 0), .edges = shared_edges(soup.triangles)} {
-  }
+        orientation_{.turned = std::vector<char>(soup.triangles.size(), 0),
+                     .edges = shared_edges(soup.triangles)} {}
 
   Orientation run() {
-    if (std::ranges::all_of(found_.edges, &SharedEdge::alike)) return std::move(found_);
+    if (std::ranges::all_of(orientation_.edges, &SharedEdge::alike)) return std::move(orientation_);
     edges_of_.resize(soup_.triangles.size());
-    for (std::size_t e = 0; e < found_.edges.size(); ++e)
-      for (const std::size_t t : found_.edges[e].triangles) edges_of_[t].push_back(e);
+    for (std::size_t e = 0; e < orientation_.edges.size(); ++e)
+      for (const std::size_t t : orientation_.edges[e].triangles) edges_of_[t].push_back(e);
     way_.assign(soup_.triangles.size(), std::numeric_limits<double>::infinity());
     for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
       if (way_[t] == std::numeric_limits<double>::infinity()) turn_part_of(t);
-    for (SharedEdge& edge : found_.edges) {
+    for (SharedEdge& edge : orientation_.edges) {
       edge.alike = alike(edge);
-      if (!edge.alike) ++found_.seams;
+      if (!edge.alike) ++orientation_.seams;
     }
-    return std::move(found_);
+    return std::move(orientation_);
   }
 
  private:
   bool alike(const SharedEdge& edge) const {
-    return edge.alike == (found_.turned[edge.triangles[0]] == found_.turned[edge.triangles[1]]);
+    return edge.alike == (orientation_.turned[edge.triangles[0]] == orientation_.turned[edge.triangles[1]]);
   }
 
   Vector3 point(std::int64_t vertex) const {
@@ -45,7 +45,8 @@ class Turner {
     return (point(a) + point(b) + point(c)) / 3;
   }
 
-  // Dijkstra's shortest ways over the triangles' centres and the middles of their edges.
+  // Turns the triangles of one part along Dijkstra's shortest paths, which go through the triangles' centres
+  // and the middles of their edges.
   void turn_part_of(std::size_t first) {
     using Reached = std::pair<double, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
@@ -58,40 +59,42 @@ class Turner {
       if (way > way_[t]) continue;
       part.push_back(t);
       for (const std::size_t e : edges_of_[t]) {
-        const SharedEdge& edge = found_.edges[e];
+        const SharedEdge& edge = orientation_.edges[e];
         const std::size_t other = edge.triangles[edge.triangles[0] == t ? 1 : 0];
         const Vector3 middle = (point(edge.ends[0]) + point(edge.ends[1])) / 2;
         const double there = way + (centre(t) - middle).norm() + (centre(other) - middle).norm();
         if (!(there < way_[other])) continue;
         way_[other] = there;
-        found_.turned[other] = static_cast<char>(found_.turned[t] != static_cast<char>(!edge.alike));
+        orientation_.turned[other] =
+            static_cast<char>(orientation_.turned[t] != static_cast<char>(!edge.alike));
         next.push({there, other});
       }
     }
     if (seam_length(part, [](const SharedEdge& e) { return e.alike; }) <=
         seam_length(part,
-                    [&](const SharedEdge& e) { return alike(e); }))  // a band that was closed on purpose
-      for (const std::size_t t : part) found_.turned[t] = 0;
-    const auto turned = std::ranges::count_if(part, [&](std::size_t t) { return found_.turned[t] != 0; });
+                    [&](const SharedEdge& e) { return alike(e); }))  // keeps a seam that was made on purpose
+      for (const std::size_t t : part) orientation_.turned[t] = 0;
+    const auto turned =
+        std::ranges::count_if(part, [&](std::size_t t) { return orientation_.turned[t] != 0; });
     if (2 * static_cast<std::size_t>(turned) > part.size())
-      for (const std::size_t t : part) found_.turned[t] ^= 1;
+      for (const std::size_t t : part) orientation_.turned[t] ^= 1;
   }
 
-  // Twice that of the edges at these triangles that are not alike.
+  // Twice the length of the edges of `part` whose triangles face different sides.
   template <class Alike>
   double seam_length(const std::vector<std::size_t>& part, const Alike& are_alike) const {
     double sum = 0;
     for (const std::size_t t : part)
       for (const std::size_t e : edges_of_[t])
-        if (const SharedEdge& edge = found_.edges[e]; !are_alike(edge))
+        if (const SharedEdge& edge = orientation_.edges[e]; !are_alike(edge))
           sum += (point(edge.ends[0]) - point(edge.ends[1])).norm();
     return sum;
   }
 
   const PolygonSoup& soup_;
-  Orientation found_;
+  Orientation orientation_;
   std::vector<std::vector<std::size_t>> edges_of_;  // #T
-  std::vector<double> way_;                         // #T, m: from the first triangle of its part
+  std::vector<double> way_;                         // #T, m: path length from the first triangle of its part
 };
 
 }  // namespace

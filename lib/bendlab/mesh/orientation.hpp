@@ -12,21 +12,23 @@ namespace bendlab {
 struct SharedEdge {
   std::array<std::int64_t, 2> ends;
   std::array<std::size_t, 2> triangles;
-  bool alike;  ///< they face the same side: they run along the edge in opposite directions
+  bool alike;  ///< both triangles face the same side: they run along the edge in opposite directions
 };
 
-/// Vertices of a triangle have to differ.
+/// All edges of exactly two triangles. The vertices of a triangle have to differ.
 std::vector<SharedEdge> shared_edges(const std::vector<std::array<std::int64_t, 3>>& triangles);
 
-/// A surface in space and how to turn its triangles alike.
+/// How to turn the triangles of a surface so that neighbours face the same side.
 struct Orientation {
-  /// #T, 0 or 1. In each part of the mesh that shared edges connect, the smaller number is turned; of equal
-  /// numbers, those that face unlike the first triangle.
+  /// #T: 1 if the triangle has to be turned, else 0. In each part of the mesh that shared edges connect, the
+  /// smaller group of triangles is turned. If both groups are equally large, the group that does not face
+  /// like the first triangle is turned.
   std::vector<char> turned;
-  std::vector<SharedEdge> edges;  ///< all shared edges; `alike` is true of triangles that are turned as above
-  /// Edges that are not alike all the same, because the surface has one side only (a Möbius band). They lie
-  /// where the shortest ways from a triangle around the surface meet, which is across a band; or as they did,
-  /// if that is shorter.
+  std::vector<SharedEdge> edges;  ///< all shared edges, with `alike` as it is after the turning
+  /// Number of edges whose triangles face different sides even after the turning, because the surface has
+  /// only one side (a Möbius band). These edges, the seam, lie where the shortest paths from a triangle
+  /// around the surface meet, which is across a band. If the seam of the given mesh is not longer, the given
+  /// orientation stays.
   std::size_t seams = 0;
 };
 

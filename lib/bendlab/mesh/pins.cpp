@@ -14,9 +14,9 @@
 namespace bendlab {
 namespace {
 
-constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
+constexpr double relative_tolerance = 1e-6;  // of the mesh's size: above rounding, far below any edge length
 
-// On the face that names mean.
+// The point as seen from the front.
 Vector2 on_face(const NamedAxes& axes, const Vector3& point) {
   return {point(axes.right), point(axes.up)};
 }
@@ -27,7 +27,8 @@ int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   const double equal = relative_tolerance * rest.size();
   double least = std::numeric_limits<double>::infinity();
   for (int v = 0; v < rest.vertex_count(); ++v) least = std::min(least, distance(v));
-  // By how much a vertex is in front of another, or lower, or farther left.
+  // Whether v is in front of `other`; if neither is in front, whether v is lower, and then whether v is
+  // farther left.
   const auto goes_before = [&](int v, int other) {
     const Vector3 way = rest.position(v) - rest.position(other);
     for (const double by : {way(axes.front), -way(axes.up), -way(axes.right)})
@@ -52,13 +53,13 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   std::vector<int> rim = side_vertices(rest, 2, level);
   if (static_cast<int>(rim.size()) == rest.vertex_count())
     throw std::invalid_argument(
-        fmt::format("'{}' names the vertices at one end of a tube along z; this mesh is flat and would be "
-                    "pinned whole. Name corners or sides",
+        fmt::format("'{}' names the vertices at one end of a tube along z; this mesh is flat, so that "
+                    "all its vertices would be pinned. Name corners or sides instead",
                     name));
   return rim;
 }
 
-// Vertices within the radius around the vertex nearest to the centre that have a neighbour outside.
+// Vertices within the radius of the middle vertex that have a neighbour outside the radius.
 std::vector<int> circle_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
   const Vector2 extent = on_face(axes, rest.box_max() - rest.box_min());
@@ -71,7 +72,7 @@ std::vector<int> circle_vertices(const RestMesh& rest) {
   return circle;
 }
 
-// Not at quarters: on a grid several vertices would be equally near to these.
+// At 0.3 and 0.7, not at quarters: on a grid, several vertices would be equally near to a quarter.
 std::vector<int> interior_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
   const Vector2 low = on_face(axes, rest.box_min()), extent = on_face(axes, rest.box_max()) - low;
@@ -133,10 +134,10 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
 }
 
 NamedAxes named_axes(const RestMesh& rest) {
-  constexpr double thin = 0.1;  // of both other extents: folds of a curtain are lower
+  constexpr double thin = 0.1;  // of both other extents; the folds of a curtain are less deep
   const Vector3 extent = rest.box_max() - rest.box_min();
-  const auto is_thin = [&](int axis, int one, int other) {
-    return extent(axis) < thin * std::min(extent(one), extent(other));
+  const auto is_thin = [&](int axis, int second, int third) {
+    return extent(axis) < thin * std::min(extent(second), extent(third));
   };
   if (is_thin(1, 0, 2)) return {0, 2, 1};
   if (is_thin(0, 1, 2)) return {1, 2, 0};

@@ -1,4 +1,4 @@
-// Which vertices are pinned: those that the scene names, and the rings around them.
+// Which vertices are pinned: the vertices that the scene names, and the rings around them.
 #pragma once
 
 #include <array>
@@ -22,22 +22,23 @@ struct Pins {
 /// std::out_of_range for a seed that is not a vertex.
 Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
 
-/// Which axes (0 to 2) of the coordinates names mean by right, up, and towards the viewer.
+/// Which coordinate axes (0 to 2) point right, up and towards the viewer in the names of places.
 struct NamedAxes {
   int right = 0, up = 1, front = 2;
 };
 
-/// x, y and z. A sheet that stands, thinner along x or y than a tenth of its other two extents, is seen from
-/// its side: z is up then, and right is x, or y if it is thin along x.
+/// Right, up and front are x, y and z, unless the sheet stands: then it is thinner along x or y than a tenth
+/// of its other two extents. The thin axis is the front of a standing sheet, z is up, and the remaining axis
+/// is right.
 NamedAxes named_axes(const RestMesh& rest);
 
-/// Places of a rest mesh by name.
+/// Named places of a rest mesh.
 enum class Place {
   upper_right,  ///< a corner: the vertex nearest to it
   upper_left,
   lower_right,
   lower_left,
-  top,  ///< a side: all vertices within 10⁻⁶ sizes of it
+  top,  ///< a side: all vertices within 10⁻⁶ mesh sizes of it
   bottom,
   left,
   right,
@@ -51,10 +52,10 @@ inline constexpr std::array<std::string_view, 13> place_names = {
     "upper_right", "upper_left", "lower_right", "lower_left", "top",    "bottom",  "left",
     "right",       "centre",     "top_rim",     "bottom_rim", "circle", "interior"};
 
-/// The vertices at a place, on the face of the rest box that names mean (x-y, unless the sheet stands). Of
-/// vertices that are equally near (within 10⁻⁶ sizes) the frontmost is taken, then the lowest, then the
-/// leftmost: their order in the mesh decides nothing. Throws std::invalid_argument for a rim of a flat mesh,
-/// because that is every vertex.
+/// The vertices at a place. Places are seen from the front, see named_axes(). If several vertices are equally
+/// near (within 10⁻⁶ mesh sizes), the frontmost is taken, then the lowest, then the leftmost, so the order of
+/// vertices in the mesh does not matter. Throws std::invalid_argument for a rim of a flat mesh, because every
+/// vertex would be on it.
 std::vector<int> select_vertices(const RestMesh& rest, Place place);
 
 }  // namespace bendlab

@@ -25,8 +25,8 @@ double read_number(std::string_view& bytes, bool swap) {
 }
 
 struct Type {
-  std::string_view name, other_name;
-  double (*read)(std::string_view& bytes, bool swap);  // takes a binary number off the front
+  std::string_view name, alias;
+  double (*read)(std::string_view& bytes, bool swap);  // removes a binary number from the front
 };
 
 constexpr std::array<Type, 8> types = {{{"char", "int8", read_number<std::int8_t>},
@@ -41,7 +41,7 @@ constexpr std::array<Type, 8> types = {{{"char", "int8", read_number<std::int8_t
 struct Property {
   std::string_view name;
   const Type* type;
-  const Type* count_type;  // of a list, else null
+  const Type* count_type;  // type of a list's length; null if it is no list
 };
 
 struct Element {
@@ -59,7 +59,7 @@ using ValueSource = std::function<double(const Type&)>;  // the file's next valu
 
 const Type* type_of(const TextLines& lines, std::size_t word) {
   for (const Type& type : types)
-    if (lines.word(word) == type.name || lines.word(word) == type.other_name) return &type;
+    if (lines.word(word) == type.name || lines.word(word) == type.alias) return &type;
   lines.fail(lines.quoted(word) + " is no PLY type");
 }
 
@@ -74,7 +74,7 @@ Header read_header(TextLines& lines) {
     if (key == "format") header.format = lines.word(1);
     if (key == "element") header.elements.push_back({lines.word(1), lines.count(2), {}});
     if (key != "property") continue;
-    if (header.elements.empty()) lines.fail("a property before the first element");
+    if (header.elements.empty()) lines.fail("a property comes before the first element");
     if (lines.word(1) == "list")
       header.elements.back().properties.push_back({lines.word(4), type_of(lines, 3), type_of(lines, 2)});
     else
@@ -103,11 +103,11 @@ std::int64_t whole(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-// The values of a property of one item: one, or a list's.
+// Reads a property of one item: a single value, or all values of a list.
 void read_property(const Property& property, const ValueSource& next, std::vector<double>& values) {
   values.clear();
   const std::int64_t count = property.count_type ? whole(next(*property.count_type)) : 1;
-  if (count < 0) throw std::invalid_argument(fmt::format("a list of {} values", count));
+  if (count < 0) throw std::invalid_argument(fmt::format("a list has {} values", count));
   for (std::int64_t i = 0; i < count; ++i) values.push_back(next(*property.type));
 }
 
@@ -154,8 +154,9 @@ PolygonSoup parse_ply(std::string_view bytes) {
   else if (header.format == "binary_little_endian" || header.format == "binary_big_endian")
     next = binary_source(lines.rest(), header.format == "binary_little_endian");
   else
-    throw std::invalid_argument(fmt::format(
-        "format '{}'; allowed are ascii, binary_little_endian, binary_big_endian", header.format));
+    throw std::invalid_argument(
+        fmt::format("format '{}' is not known; allowed are ascii, binary_little_endian, binary_big_endian",
+                    header.format));
   PolygonSoup soup;
   PolygonList polygons(soup, "face");
   for (const Element& element : header.elements) read_element(element, next, soup, polygons);

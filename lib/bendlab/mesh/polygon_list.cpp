@@ -20,7 +20,7 @@ double size_of(const std::vector<std::array<double, 3>>& points) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-// The corners of a polygon that lies as a fan in the list of triangles.
+// The corners of a polygon whose triangles form a fan.
 std::vector<std::int64_t> corners_of(std::span<const Triple> fan) {
   std::vector<std::int64_t> corners = {fan[0][0], fan[0][1]};
   for (const Triple& triangle : fan) corners.push_back(triangle[2]);
@@ -47,7 +47,7 @@ void PolygonList::add(std::span<const std::int64_t> corners, std::size_t place) 
     soup_.triangles.push_back({corners[0], corners[c - 1], corners[c]});
 }
 
-// False if a corner does not exist or is not finite.
+// Copies the polygon's corners to points_; false if a corner does not exist or is not finite.
 bool PolygonList::take_points(const Polygon& polygon) {
   points_.clear();
   const auto take = [&](std::int64_t vertex) {
@@ -63,7 +63,7 @@ bool PolygonList::take_points(const Polygon& polygon) {
   return true;
 }
 
-void PolygonList::cut(std::span<Triple> others) {
+void PolygonList::cut(std::span<Triple> attributes) {
   if (polygons_.empty()) return;
   const double thickness = zero_area_thickness * size_of(soup_.points);
   std::vector<std::array<std::size_t, 3>> triangles;
@@ -76,7 +76,8 @@ void PolygonList::cut(std::span<Triple> others) {
     }
     if (triangles.empty()) continue;
     rearrange(std::span(soup_.triangles).subspan(polygon.first_triangle, triangles.size()), triangles);
-    if (!others.empty()) rearrange(others.subspan(polygon.first_triangle, triangles.size()), triangles);
+    if (!attributes.empty())
+      rearrange(attributes.subspan(polygon.first_triangle, triangles.size()), triangles);
   }
 }
 

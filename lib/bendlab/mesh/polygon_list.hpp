@@ -1,4 +1,4 @@
-// The polygons of a mesh file on their way into a soup.
+// Collects the polygons of a mesh file and cuts them into the triangles of a soup.
 #pragma once
 
 #include <array>
@@ -11,21 +11,21 @@
 
 namespace bendlab {
 
-/// Puts polygons into a soup: n corners become n - 2 triangles. Faces may come before their points: they are
-/// cut at the end, by cut_polygon.hpp.
+/// Puts polygons into a soup: n corners become n - 2 triangles. Faces may come before their points in a file,
+/// so all polygons are cut at the end, by cut_polygon.hpp.
 class PolygonList {
  public:
-  /// `place`: what the numbers of add() count in the file, for error texts: "line" or "face".
+  /// `place` is "line" or "face", for error texts: add() gets the number of a line or of a face of the file.
   PolygonList(PolygonSoup& soup, std::string_view place) : soup_(soup), place_(place) {}
 
   /// Throws std::invalid_argument for fewer than three corners.
   void add(std::span<const std::int64_t> corners, std::size_t place);
 
-  /// To be called after the last polygon and point. `others` (as many as triangles, or none): what else the
-  /// corners have, in fans around each polygon's first corner; becomes what the triangles' corners have.
-  /// Throws std::invalid_argument where a polygon cannot be cut. Polygons with corners that do not exist or
-  /// are not finite become fans.
-  void cut(std::span<std::array<std::int64_t, 3>> others = {});
+  /// Call it after the last polygon and point. `attributes` (one per triangle, or none) holds further indices
+  /// of the corners, such as those of texture coordinates, in fans around each polygon's first corner. They
+  /// are rearranged like the triangles. Throws std::invalid_argument if a polygon cannot be cut. Polygons
+  /// with corners that do not exist or are not finite become fans.
+  void cut(std::span<std::array<std::int64_t, 3>> attributes = {});
 
  private:
   struct Polygon {
@@ -37,8 +37,8 @@ class PolygonList {
 
   PolygonSoup& soup_;
   std::string_view place_;
-  std::vector<Polygon> polygons_;  // of more than three corners
-  std::vector<Vector3> points_;    // of the polygon that is being cut
+  std::vector<Polygon> polygons_;  // all with more than three corners
+  std::vector<Vector3> points_;    // corners of the polygon that is being cut
 };
 
 }  // namespace bendlab

@@ -8,7 +8,7 @@ namespace bendlab {
 namespace {
 
 constexpr int most_advances = 64;
-constexpr double surely_kept = 0.9;  // of the separation: a pair without a reported contact stays beyond it
+constexpr double surely_kept = 0.9;  // of the separation: without a contact, a pair stays farther apart
 
 Gap gap_of(const Corners& x, const std::array<double, 4>& weight) {
   return {weight, weight[0] * x[0] + weight[1] * x[1] + weight[2] * x[2] + weight[3] * x[3]};
@@ -45,7 +45,8 @@ Gap edge_edge_gap(const Corners& x) {
   const Vector3 first = x[1] - x[0], second = x[3] - x[2], apart = x[0] - x[2];
   const double a = first.squaredNorm(), e = second.squaredNorm(), b = first.dot(second);
   const double determinant = a * e - b * b;
-  // Parallel edges: any point of the first edge will do, as the second's closest point is found afterwards.
+  // Parallel edges: any point of the first edge will do, because the closest point of the second edge is
+  // found afterwards.
   double s =
       determinant > 0 ? std::clamp((b * second.dot(apart) - e * first.dot(apart)) / determinant, 0., 1.) : 0;
   const double t = fraction_along(x[0] + s * first, x[2], x[3]);
@@ -65,8 +66,8 @@ double separation_along(const Vector3& normal, Pairing pairing, const Corners& x
                                              : std::min(at[0], at[1]) - std::max(at[2], at[3]);
 }
 
-// Along the gap's normal the elements' vertices are at least as far apart as the gap is long. So no contact
-// is possible until two of them are nearly the separation apart.
+// Along the gap's normal, vertices of different elements are at least as far apart as the gap is long. So no
+// contact is possible before two such vertices are nearly as close as the separation.
 std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Corners& end,
                                  double separation) {
   const std::size_t second = pairing == Pairing::vertex_triangle ? 1 : 2;
@@ -78,7 +79,7 @@ std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Co
     const double distance = gap.vector.norm();
     if (distance <= separation || advance == most_advances) return gap;
     const Vector3 normal = gap.vector / distance;
-    double part = 1;  // of the remaining way
+    double part = 1;  // of the remaining path
     for (std::size_t i = 0; i < second; ++i)
       for (std::size_t j = second; j < 4; ++j) {
         const double now = normal.dot(x[i] - x[j]), then = normal.dot(end[i] - end[j]);

@@ -19,13 +19,13 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 constexpr std::array<QualityMeasure, 7> measures = {{
-    {"edge_ratio", "1", "Longest to shortest edge"},
-    {"aspect_ratio", "1", "Longest edge times perimeter over 4√3 area"},
+    {"edge_ratio", "1", "Longest edge over shortest edge"},
+    {"aspect_ratio", "1", "Longest edge times perimeter, over 4√3 times the area"},
     {"radius_ratio", "1", "Circumradius over twice the inradius"},
-    {"shape", "1", "4√3 area over the sum of squared edges (1: equilateral, 0: no area)"},
+    {"shape", "1", "4√3 times the area, over the sum of squared edges (1: equilateral, 0: no area)"},
     {"minimum_angle", "degrees", "Smallest angle"},
     {"maximum_angle", "degrees", "Largest angle"},
-    {"condition", "1", "Condition number of Q, weighted by the equilateral triangle"},
+    {"condition", "1", "Condition number of the map from an equilateral triangle to this triangle"},
 }};
 
 // A triangle's squared edge lengths, ascending, twice its area, and the scalar products of the two edges at
@@ -36,7 +36,7 @@ struct ScaledTriangle {
   bool finite;
 
   ScaledTriangle(const Vector3& a, const Vector3& b, const Vector3& c) {
-    Vector3 ab = b - a, bc = c - b, ca = a - c;  // all three from the corners: no cancellation in a short one
+    Vector3 ab = b - a, bc = c - b, ca = a - c;  // all from corners: short edges keep their digits
     const double scale = (ab.cwiseAbs() + bc.cwiseAbs() + ca.cwiseAbs()).sum();
     finite = std::isfinite(scale);
     if (finite && scale > 0) ab /= scale, bc /= scale, ca /= scale;
@@ -55,8 +55,8 @@ double cotangent(double degrees) {
   return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : unbounded;
 }
 
-// Percentiles are taken of keys, in the order of `measures`: each is monotone in its measure and cheaper. The
-// key of the edge ratio is its square; that of an angle is its negative cotangent.
+// Percentiles are found with keys, in the order of `measures`. A key grows with its metric and is cheaper to
+// compute. The key of the edge ratio is its square; the key of an angle is its negative cotangent.
 using Keys = std::array<double, 7>;
 
 Keys keys_of(const ScaledTriangle& t) {
@@ -92,11 +92,11 @@ double measure_from_key(std::size_t measure, double key) {
   }
 }
 
-// Finds values by rank in two passes instead of partitioning everything: the first counts keys by their
-// leading bits, the second collects only the buckets in which a wanted rank lies.
+// Finds values by rank in two passes instead of partitioning everything: the first pass counts keys by their
+// leading bits, the second pass collects only the buckets in which a wanted rank lies.
 class RankFinder {
  public:
-  /// The keys with these ranks. Rank 0 is the smallest key's; ranks ascend and are below keys.size(). No key
+  /// The keys with these ranks. The smallest key has rank 0; ranks ascend and are below keys.size(). No key
   /// is NaN.
   template <std::size_t N>
   std::array<double, N> find(const std::vector<double>& keys, const std::array<std::size_t, N>& ranks) {
@@ -117,7 +117,7 @@ class RankFinder {
     }
     inside_.resize(keys.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i) {  // no branch: it could not be predicted
+    for (std::size_t i = 0; i < keys.size(); ++i) {  // without a branch, which could not be predicted
       inside_[count] = keys[i];
       count += wanted_[bucket_of_[i]];
     }
@@ -136,7 +136,8 @@ class RankFinder {
  private:
   static constexpr int bucket_bits = 13;  // 16 buckets an octave
 
-  // Grows with the key: sign, exponent and leading digits of the nearest float, negatives reversed.
+  // The bucket's number grows with the key: sign, exponent and leading digits of the nearest float. The bits
+  // of negative keys are inverted.
   static std::uint16_t bucket(double key) {
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(key));
     const std::uint32_t ascending = bits >> 31 ? ~bits : bits | 0x80000000u;
@@ -169,7 +170,7 @@ MeshQuality measure_quality(const Positions& positions, const Triangles& triangl
   if (triangles.rows() == 0) return quality;
 
   // Rounding changes the scaled area of collinear points by a few 10⁻¹⁶. The exact predicate is called only
-  // below this.
+  // for areas below this limit.
   constexpr double surely_not_collinear = 1e-14;
   const double cap_key = -cotangent(thresholds.cap_angle), small_key = -cotangent(thresholds.small_angle);
   std::array<std::vector<double>, 7> keys;

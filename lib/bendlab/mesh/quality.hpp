@@ -1,4 +1,4 @@
-// Shape of triangles: seven measures and how many triangles are bad. Cheap enough for every recorded frame.
+// Shape of triangles: seven metrics, and how many triangles are bad. Cheap enough for every recorded frame.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// Limits from which on a triangle counts as bad.
+/// Limits at which a triangle begins to count as bad.
 struct QualityThresholds {
   double needle_ratio = 4;  ///< longest to shortest edge, at least 1
   double cap_angle = 160;   ///< degrees, 90 to 180
@@ -20,7 +20,7 @@ struct QualityMeasure {
   std::string_view name, unit, meaning;
 };
 
-/// The measures, in the order of MeshQuality::measures. Formulas: Verdict library reference manual,
+/// The shape metrics, in the order of MeshQuality::measures. Formulas: Verdict library reference manual,
 /// SAND2007-1751. With edges a, b, c and area A:
 ///   edge_ratio     longest / shortest edge
 ///   aspect_ratio   longest edge · (a + b + c) / (4√3 A)
@@ -31,9 +31,10 @@ struct QualityMeasure {
 /// All but the angles are 1 for an equilateral triangle.
 std::span<const QualityMeasure> quality_measures();
 
-/// Over all triangles. A percentile is the value of the nearest rank, without interpolation: infinity stays
-/// infinity. A triangle without area has the worst value of every measure but the edge ratio (infinity, shape
-/// 0, angles 0 and 180). With a position that is not finite the edge ratio is infinite, too.
+/// Summary of a shape metric over all triangles. A percentile is the value of the nearest rank, without
+/// interpolation, so that infinity stays infinity. A triangle without area has the worst value of every
+/// metric except the edge ratio (infinity, shape 0, angles 0 and 180). If a position is not finite, the edge
+/// ratio is infinite, too.
 struct MeasureSummary {
   double minimum, percentile_1, median, percentile_99, maximum;
 };

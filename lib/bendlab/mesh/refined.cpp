@@ -19,7 +19,7 @@
 namespace bendlab {
 namespace {
 
-// The vertex in the middle of every edge; numbers begin behind the mesh's own.
+// The vertices in the middles of edges. Their numbers follow those of the mesh's own vertices.
 class Middles {
  public:
   explicit Middles(const TriangleMesh& mesh) : mesh_(mesh), next_(static_cast<int>(mesh.vertex_count())) {}
@@ -27,15 +27,15 @@ class Middles {
   int between(int a, int b) {
     const auto [low, high] = std::minmax(a, b);
     const auto edge = (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint64_t>(high);
-    const auto [found, is_new] = vertex_.try_emplace(edge, next_);
+    const auto [entry, is_new] = vertex_.try_emplace(edge, next_);
     if (is_new) {
       ++next_;
       points_.push_back(0.5 * (mesh_.positions.row(a) + mesh_.positions.row(b)));
     }
-    return found->second;
+    return entry->second;
   }
 
-  // The mesh's own positions, and those of the middles.
+  // The mesh's own positions, followed by the middles.
   Positions positions() const {
     Positions all(next_, 3);
     all.topRows(mesh_.vertex_count()) = mesh_.positions;
@@ -46,7 +46,7 @@ class Middles {
 
  private:
   const TriangleMesh& mesh_;
-  std::unordered_map<std::uint64_t, int> vertex_;  // of an edge: its smaller end, then 32 bits of the other
+  std::unordered_map<std::uint64_t, int> vertex_;  // key: smaller end << 32 | larger end
   std::vector<Eigen::RowVector3d> points_;
   int next_;
 };
@@ -89,7 +89,7 @@ TriangleMesh refined_once(const TriangleMesh& mesh) {
   return fine;
 }
 
-// The smallest height of the triangles of each vertex (m), and its normal, weighted by areas.
+// For each vertex: the smallest height of its triangles (m), and its normal, weighted by areas.
 struct Surroundings {
   std::vector<double> height;
   std::vector<Vector3> normal;
@@ -120,10 +120,10 @@ int most_refinements(std::int64_t triangles) {
 
 TriangleMesh refined(const TriangleMesh& mesh, int times) {
   if (const int most = most_refinements(mesh.triangle_count()); times > most)
-    throw std::invalid_argument(fmt::format(
-        "refining {} triangles {} times would give more than {} of them; this mesh can be refined at most {} "
-        "times",
-        mesh.triangle_count(), times, most_refined_triangles, most));
+    throw std::invalid_argument(
+        fmt::format("refining {} triangles {} times would give more than {} triangles; this mesh can be "
+                    "refined at most {} times",
+                    mesh.triangle_count(), times, most_refined_triangles, most));
   TriangleMesh fine = mesh;
   for (int i = 0; i < times; ++i) fine = refined_once(fine);
   return fine;

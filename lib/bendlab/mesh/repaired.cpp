@@ -29,9 +29,9 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// Why not CGAL's repair of a soup: it renumbers vertices that need no repair, it has no texture, and a NaN in
-// an unused point makes it merge different points. Its remove_degenerate_faces() only sees areas that are
-// exactly zero, and it cuts a Möbius band along its length.
+// Why CGAL's repair of a soup is not used: it renumbers vertices that need no repair, it drops texture
+// coordinates, a NaN in an unused point makes it merge different points, and it cuts a Möbius band along its
+// length. Its remove_degenerate_faces() sees only areas that are exactly zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
@@ -47,12 +47,12 @@ class Mender {
   Repaired run() {
     unite_near_points();
     find_thickness();
-    constexpr int rounds = 100;  // of two thin neighbours one waits for the next round
-    for (int round = 0; round < rounds && mend_thin_ones(); ++round) unite();
+    constexpr int rounds = 100;  // if two neighbours are thin, the second has to wait for a round
+    for (int round = 0; round < rounds && mend_thin_triangles(); ++round) unite();
     std::erase_if(triangles_, [&](const Triangle& t) { return thin(t); });
-    while (turn_and_cut()) {  // edges where two triangles are left of more: they may face differently
+    while (turn_and_cut()) {  // a cut may leave two triangles of an edge, which may face different sides
     }
-    tell_cuts();
+    report_cuts();
     return {.soup = soup(), .notes = std::move(notes_)};
   }
 
@@ -88,14 +88,15 @@ class Mender {
     }
     unite();
     if (united > 0)
-      notes_.push_back(
-          fmt::format("united: {} with another one {} (the tolerance is {:.2g} m, {:.0e} of the mesh's size)",
-                      united == 1 ? "1 vertex" : fmt::format("{} vertices", united),
-                      farthest > 0 ? fmt::format("at most {:.2g} m away", farthest) : "at the same place",
-                      tolerance, united_within));
+      notes_.push_back(fmt::format(
+          "united: {} with another vertex {} (the tolerance is {:.2g} m, {:.0e} of the mesh's size)",
+          united == 1 ? "1 vertex" : fmt::format("{} vertices", united),
+          farthest > 0 ? fmt::format("at most {:.2g} m away", farthest) : "at the same place", tolerance,
+          united_within));
   }
 
-  // Gives united vertices one index. Removes triangles that lose a corner by it, and copies.
+  // Gives united vertices the same index. Removes triangles that lose a corner by this, and duplicate
+  // triangles.
   void unite() {
     std::set<std::array<std::size_t, 3>> seen;
     std::erase_if(triangles_, [&](Triangle& t) {
@@ -114,22 +115,23 @@ class Mender {
   }
 
   // If a thin triangle has a short edge, the ends of that edge are united. Otherwise a vertex m lies on its
-  // longest edge: the triangles beyond that edge are split at m, and the thin one is removed.
+  // longest edge: the triangles beyond that edge are split at m, and the thin triangle is removed. Returns
+  // whether any triangle was thin.
   //
   //      a --- m --- b          a --- m --- b
   //        \       /     ->       \   |   /
   //          \   /                  \ | /
   //            d                      d
-  bool mend_thin_ones() {
+  bool mend_thin_triangles() {
     std::map<Edge, std::vector<std::size_t>> at_edge;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t c = 0; c < 3; ++c) at_edge[edge_of(triangles_[t], c)].push_back(t);
     const std::size_t count = triangles_.size();
     std::vector<char> touched(count, 0), gone(count, 0);
-    bool found = false;
+    bool any_thin = false;
     for (std::size_t t = 0; t < count; ++t) {
       if (touched[t] != 0 || !thin(triangles_[t])) continue;
-      found = true;
+      any_thin = true;
       const Triangle triangle = triangles_[t];
       std::array<std::size_t, 3> by_length = {0, 1, 2};
       std::ranges::sort(by_length, {}, [&](std::size_t c) { return length(triangle, c); });
@@ -149,7 +151,7 @@ class Mender {
     gone.resize(triangles_.size(), 0);
     std::size_t at = 0;
     std::erase_if(triangles_, [&](const Triangle&) { return gone[at++] != 0; });
-    return found;
+    return any_thin;
   }
 
   void split(std::size_t t, const Edge& edge, const Corner& at) {
@@ -173,8 +175,9 @@ class Mender {
     return soup;
   }
 
-  // Turns triangles alike. Then a vertex becomes one vertex per fan of triangles around it: the mesh is cut
-  // where the surface branches, touches itself in a point, or cannot be turned alike. Whether it was cut.
+  // Turns triangles so that neighbours face the same side. Then every fan of triangles around a vertex gets a
+  // vertex of its own: the mesh is cut where the surface branches, touches itself at a point, or has only one
+  // side. Returns whether the mesh was cut.
   bool turn_and_cut() {
     const PolygonSoup before = soup();
     const Orientation orientation = orientation_of(before);
@@ -197,16 +200,17 @@ class Mender {
     return double_vertices(fans);
   }
 
-  // The first fan of a vertex keeps it.
+  // Gives each fan a vertex of its own; the first fan keeps the old vertex. Returns whether there are new
+  // vertices.
   bool double_vertices(DisjointSets& fans) {
-    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    constexpr std::size_t unset = static_cast<std::size_t>(-1);
     const std::size_t before = points_.size();
-    std::vector<std::size_t> first_fan(before, none), vertex_of(3 * triangles_.size(), none);
+    std::vector<std::size_t> first_fan(before, unset), vertex_of(3 * triangles_.size(), unset);
     for (std::size_t i = 0; i < 3 * triangles_.size(); ++i) {
       std::size_t& vertex = triangles_[i / 3][i % 3].vertex;
       const std::size_t fan = fans.find(i);
-      if (vertex_of[fan] == none) {
-        const bool is_first = first_fan[vertex] == none;
+      if (vertex_of[fan] == unset) {
+        const bool is_first = first_fan[vertex] == unset;
         if (is_first) first_fan[vertex] = fan;
         vertex_of[fan] = is_first ? vertex : points_.size();
         if (!is_first) points_.push_back(std::array(points_[vertex]));
@@ -223,20 +227,20 @@ class Mender {
     return (at(edge.ends[0]) - at(edge.ends[1])).norm();
   }
 
-  void tell_cuts() {
+  void report_cuts() {
     if (seams_ > 0)
       notes_.push_back(fmt::format(
-          "cut along {}, {:.3g} m in all, because the surface has one side only there, as a Möbius "
-          "band has: its triangles cannot all be turned alike",
+          "cut along {}, {:.3g} m in all, because the surface has only one side there, like a Möbius "
+          "band: its triangles cannot all face the same side",
           seams_ == 1 ? "1 edge" : fmt::format("{} edges", seams_), seam_length_));
   }
 
   std::vector<std::array<double, 3>> points_;
   std::vector<Triangle> triangles_;
   bool textured_;
-  DisjointSets united_{0};  // points
+  DisjointSets united_{0};  // sets of points
   double thickness_ = 0;    // m
-  std::size_t seams_ = 0;   // edges of a surface with one side that were cut
+  std::size_t seams_ = 0;   // cut edges of surfaces with only one side
   double seam_length_ = 0;  // m
   std::vector<std::string> notes_;
 };

@@ -1,5 +1,5 @@
-// The rest state of a cloth: the mesh and what is computed from it once (edges, one-rings, hinges, areas,
-// size).
+// The rest state of a cloth: the mesh, and the edges, one-rings, hinges, areas and size that are computed
+// from it once.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ struct Hinge {
   std::array<int, 2> opposite;
 };
 
-/// The neighbours of each vertex as compressed rows: those of v are `targets[offsets[v] .. offsets[v+1])`,
-/// ascending.
+/// The neighbours of each vertex as compressed rows: the neighbours of v are `targets[offsets[v] ..
+/// offsets[v+1])`, ascending.
 struct Adjacency {
   std::vector<int> offsets;  ///< #V + 1
   std::vector<int> targets;
@@ -35,8 +35,8 @@ struct Adjacency {
 
 class RestMesh {
  public:
-  /// Expects a mesh that was diagnosed (see files.hpp): indices in range, finite positions. An edge with more
-  /// than two triangles gives no hinge.
+  /// Expects indices in range and finite positions, as in the meshes of read_mesh() (files.hpp). An edge with
+  /// more than two triangles gives no hinge.
   explicit RestMesh(TriangleMesh mesh);
 
   const TriangleMesh& mesh() const { return mesh_; }

@@ -25,8 +25,8 @@ Mesh surface(const Positions& positions, const Triangles& triangles) {
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     if (mesh.add_face(corner(t, 0), corner(t, 1), corner(t, 2)) == Mesh::null_face())
       throw std::invalid_argument(fmt::format(
-          "self_intersections: triangle {} makes the mesh no oriented manifold; see `bendlab mesh` "
-          "for what is wrong with it",
+          "self_intersections: with triangle {} the mesh is no oriented manifold; run `bendlab mesh` "
+          "to see its problems",
           t));
   return mesh;
 }
@@ -37,10 +37,11 @@ std::vector<std::array<int, 2>> self_intersections(const Positions& positions, c
   if (!positions.allFinite())
     throw std::invalid_argument(
         "self_intersections: a position is not finite; ask for a frame before the cloth diverged");
-  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> found;
-  CGAL::Polygon_mesh_processing::self_intersections(surface(positions, triangles), std::back_inserter(found));
+  std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> face_pairs;
+  CGAL::Polygon_mesh_processing::self_intersections(surface(positions, triangles),
+                                                    std::back_inserter(face_pairs));
   std::vector<std::array<int, 2>> pairs;
-  for (const auto& [a, b] : found) {
+  for (const auto& [a, b] : face_pairs) {
     const auto [first, second] = std::minmax(a, b);
     pairs.push_back({static_cast<int>(first.idx()), static_cast<int>(second.idx())});
   }

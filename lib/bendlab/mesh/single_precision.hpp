@@ -5,7 +5,7 @@
 
 namespace bendlab {
 
-/// 1: the largest rounding of a coordinate, over the mean edge, that files in single precision may have. A
+/// The largest rounding error of a coordinate, in mean edges, that files in single precision may have. A
 /// strain is then off by less than 10⁻³ on edges of a tenth of the mean.
 inline constexpr double tolerated_rounding = 1e-4;
 
@@ -13,8 +13,9 @@ inline constexpr double tolerated_rounding = 1e-4;
 /// is farther from the origin than about 1700 of its edges.
 bool needs_double(const Positions& positions, const Triangles& triangles);
 
-/// A round point near the middle of the mesh's box, relative to which its coordinates are about as small as
-/// the box: each coordinate is a whole multiple of a power of ten that is at most the box's longest side.
+/// A point with round coordinates near the middle of the mesh's box. Each coordinate is a whole multiple of a
+/// power of ten that is at most the box's longest side. Relative to this point, the mesh's coordinates are
+/// about as small as its box.
 Vector3 round_centre(const Positions& positions);
 
 }  // namespace bendlab

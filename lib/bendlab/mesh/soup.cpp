@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t listed_offenders = 5;
 
 struct KindText {
-  std::string_view one, many;
+  std::string_view singular, plural;
 };
 
-// fmt compares a NaN, which traps in the debug program.
+// fmt would compare a NaN with a number, which traps in the debug program.
 std::string number_text(double number) {
   if (std::isfinite(number)) return fmt::format("{}", number);
   return std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf";
@@ -126,8 +126,8 @@ class Diagnosis {
     const double thickness = zero_area_thickness * (box_max_ - box_min_).norm();
     for (const std::size_t t : sound_) {
       const auto& [a, b, c] = soup_.triangles[t];
-      const bool known = is_finite(point(a)) && is_finite(point(b)) && is_finite(point(c));
-      if (known && collinear_within(thickness, point(a), point(b), point(c)))
+      const bool finite = is_finite(point(a)) && is_finite(point(b)) && is_finite(point(c));
+      if (finite && collinear_within(thickness, point(a), point(b), point(c)))
         report_triangle(MeshProblemKind::zero_area, t);
     }
   }
@@ -149,8 +149,8 @@ class Diagnosis {
     std::erase_if(sound_, [&](std::size_t t) { return std::binary_search(copies.begin(), copies.end(), t); });
   }
 
-  // Edges, and the fans of triangles around vertices: two corners at a vertex are in one fan if an edge
-  // connects their triangles.
+  // Checks edges, and finds the fans of triangles around vertices: two corners at a vertex are in the same
+  // fan if an edge connects their triangles.
   void check_edges() {
     using Side = HalfEdge<std::int64_t>;
     const auto triangle = [&](const Side& side) { return sound_[static_cast<std::size_t>(side.triangle())]; };
@@ -221,8 +221,8 @@ std::vector<MeshProblem> diagnose(const TriangleMesh& mesh) {
 
 std::string describe(const MeshProblem& problem) {
   const KindText text = text_of(problem.kind);
-  if (problem.kind == MeshProblemKind::empty) return std::string(text.one);
-  std::string line = fmt::format("{} {}: {}", problem.count, problem.count == 1 ? text.one : text.many,
+  if (problem.kind == MeshProblemKind::empty) return std::string(text.singular);
+  std::string line = fmt::format("{} {}: {}", problem.count, problem.count == 1 ? text.singular : text.plural,
                                  fmt::join(problem.offenders, ", "));
   if (problem.count > problem.offenders.size()) line += ", …";
   return line;

@@ -11,14 +11,15 @@
 namespace bendlab {
 
 struct PolygonSoup {
-  std::vector<std::array<double, 3>> points;           ///< m; may be anything
+  std::vector<std::array<double, 3>> points;           ///< m; may be any numbers
   std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices into `points`; may be out of range
   /// One per triangle corner (3t + c), or empty; texture coordinates are finite.
   std::vector<std::array<double, 2>> texture_coordinates;
-  std::size_t untextured_triangles = 0;  ///< of a file where only others have texture coordinates
+  /// Triangles without texture coordinates, if other triangles of the file have them.
+  std::size_t untextured_triangles = 0;
 };
 
-/// Without allFinite(), which would subtract infinities: that traps in the debug program.
+/// Does not use allFinite(): it would subtract infinities, which traps in the debug program.
 template <class Point>
 bool is_finite(const Point& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -32,7 +33,7 @@ enum class MeshProblemKind {
   zero_area,                 ///< thinner than zero_area_thickness of the mesh's size
   duplicate_triangle,        ///< the same three vertices as an earlier triangle
   non_manifold_edge,         ///< more than two triangles share it
-  non_manifold_vertex,       ///< its triangles form several fans that touch in the vertex alone ("bow tie")
+  non_manifold_vertex,       ///< its triangles form several fans that touch only at the vertex ("bow tie")
   inconsistent_orientation,  ///< the two triangles of an edge run along it in the same direction
   isolated_vertex,           ///< in no triangle; harmless: to_mesh() drops it
 };
@@ -40,15 +41,16 @@ enum class MeshProblemKind {
 struct MeshProblem {
   MeshProblemKind kind;
   std::size_t count = 0;
-  std::vector<std::string> offenders;  ///< the first five, "triangle 12 (3, 4, 9)", "edge 3-4", "vertex 7"
+  std::vector<std::string> offenders;  ///< the first five: "triangle 12 (3, 4, 9)", "edge 3-4", "vertex 7"
 
   bool harmless() const { return kind == MeshProblemKind::isolated_vertex; }
 };
 
 /// A triangle has zero area if its smallest height is at most this times the diagonal of the mesh's box.
-/// Single precision, of a file or of a run, rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size. Below that the
-/// vertices cannot be distinguished from collinear ones, and Q⁻¹ is noise. It is relative, so that units
-/// don't matter, and a height, because Q⁻¹ divides by it. measure_quality() counts thin triangles above it.
+/// Single precision, of a file or of a run, rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size. Below that, the
+/// vertices cannot be distinguished from collinear vertices, and Q⁻¹ is noise. The limit is relative, so that
+/// units don't matter. It is a limit of the height, because Q⁻¹ divides by the height. measure_quality()
+/// counts thin triangles above this limit.
 inline constexpr double zero_area_thickness = 1e-7;
 
 /// All problems, one per kind and in the order of the kinds; empty if the mesh can be simulated. Duplicates
@@ -62,7 +64,7 @@ std::string describe(const MeshProblem& problem);
 /// A mesh's points and triangles, unchecked; without texture coordinates.
 PolygonSoup to_soup(const TriangleMesh& mesh);
 
-/// The soup without its isolated vertices (the others keep their order). Indices have to be in range.
+/// The soup without its isolated vertices (the other vertices keep their order). Indices have to be in range.
 TriangleMesh to_mesh(const PolygonSoup& soup);
 
 }  // namespace bendlab

@@ -23,9 +23,9 @@ class PointMerger {
   std::int64_t add(std::array<double, 3> point) {
     std::array<std::uint64_t, 3> bits;
     for (std::size_t i = 0; i < 3; ++i) bits[i] = std::bit_cast<std::uint64_t>(point[i] + 0.0);  // -0 is 0
-    const auto [known, is_new] = index_.try_emplace(bits, static_cast<std::int64_t>(soup_.points.size()));
+    const auto [entry, is_new] = index_.try_emplace(bits, static_cast<std::int64_t>(soup_.points.size()));
     if (is_new) soup_.points.push_back(point);
-    return known->second;
+    return entry->second;
   }
 
  private:
@@ -33,8 +33,8 @@ class PointMerger {
   std::map<std::array<std::uint64_t, 3>, std::int64_t> index_;
 };
 
-constexpr std::size_t header_size = 84;    // 80 bytes of anything, then the number of triangles
-constexpr std::size_t triangle_size = 50;  // normal and three points as 12 floats, then two bytes of anything
+constexpr std::size_t header_size = 84;    // 80 arbitrary bytes, then the number of triangles
+constexpr std::size_t triangle_size = 50;  // normal and three points as 12 floats, then two arbitrary bytes
 
 PolygonSoup parse_binary(std::string_view bytes) {
   std::uint32_t triangles = 0;
@@ -42,15 +42,14 @@ PolygonSoup parse_binary(std::string_view bytes) {
   const std::size_t size = header_size + triangle_size * triangles;
   if (bytes.size() < size)
     throw std::invalid_argument(
-        fmt::format("neither text (it does not start with 'solid', or has bytes of value 0) nor binary ({} "
-                    "triangles would "
-                    "take {} bytes, it has {})",
+        fmt::format("the file is neither text (it does not start with 'solid', or has bytes of value 0) nor "
+                    "binary ({} triangles would take {} bytes, but it has {})",
                     triangles, size, bytes.size()));
-  // Bytes behind the last triangle mean nothing, unless they could be triangles.
+  // Bytes after the last triangle are ignored, unless they could be whole triangles.
   if (const std::size_t more = bytes.size() - size; more > 0 && more % triangle_size == 0)
     throw std::invalid_argument(
-        fmt::format("binary, and its header says {} triangles where there is room for {}: write it anew with "
-                    "another program",
+        fmt::format("the header of the binary file says {} triangles, but the file has room for {}: write it "
+                    "again with another program",
                     triangles, triangles + more / triangle_size));
   PolygonSoup soup;
   PointMerger points(soup);
@@ -66,14 +65,14 @@ PolygonSoup parse_binary(std::string_view bytes) {
   return soup;
 }
 
-// Old programs write capitals.
+// Whether both are equal apart from capitals, which old programs write.
 bool equal_but_for_case(std::string_view text, std::string_view lower) {
   return std::ranges::equal(text, lower, [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
   });
 }
 
-// One solid after the other, all part of the mesh.
+// Reads all solids of the file into one mesh.
 PolygonSoup parse_text(std::string_view bytes) {
   PolygonSoup soup;
   PointMerger points(soup);
@@ -99,8 +98,8 @@ PolygonSoup parse_text(std::string_view bytes) {
   return soup;
 }
 
-// The header of a binary file may start with "solid", too, but its number of triangles has a zero byte. (With
-// 2²⁴ triangles or more it need not have one, but the first triangles have.)
+// The header of a binary file may start with "solid", too, but then its number of triangles contains a zero
+// byte. (A number of 2²⁴ or more need not contain a zero byte, but the first triangles do.)
 bool is_text(std::string_view bytes) {
   constexpr std::size_t beginning = 1024;
   if (bytes.substr(0, beginning).find('\0') != bytes.npos) return false;

@@ -27,7 +27,8 @@ std::errc parse(std::string_view text, Number& value) {
 TextLines::TextLines(std::string_view text, char comment, char join)
     : rest_(text), comment_(comment), join_(join) {
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-  // Binary data behind a header may begin with \n: where \r alone ends a line, that is no second half of it.
+  // If a \r alone ends the lines, a \n after a \r does not belong to the end of a line: it is the first byte
+  // of binary data behind a header.
   const std::size_t end = rest_.find_first_of("\r\n");
   pairs_ = end == rest_.npos || rest_.substr(end, 2) == "\r\n" || rest_[end] == '\n';
 }
@@ -82,7 +83,7 @@ std::string_view TextLines::word(std::size_t i) const {
 double TextLines::real(std::size_t i) const {
   double value = 0;
   const std::errc error = parse(word(i), value);
-  if (error == std::errc::result_out_of_range)  // from_chars does not say on which side
+  if (error == std::errc::result_out_of_range)  // from_chars does not say whether too large or too small
     return std::strtod(std::string(word(i)).c_str(), nullptr);
   if (error != std::errc()) fail(quoted(i) + " is not a number");
   return value;
@@ -98,16 +99,16 @@ std::int64_t TextLines::integer_of(std::string_view text) const {
 
 std::size_t TextLines::count(std::size_t i) const {
   const std::int64_t value = integer(i);
-  if (value < 0) fail(fmt::format("{} is no count", value));
+  if (value < 0) fail(fmt::format("a count is {}, but it must not be negative", value));
   return static_cast<std::size_t>(value);
 }
 
 std::string TextLines::quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string shown(text.substr(0, longest));
-  for (char& c : shown)
+  std::string printable(text.substr(0, longest));
+  for (char& c : printable)
     if (c < ' ' || c > '~') c = '?';
-  return "'" + shown + (text.size() > longest ? "…'" : "'");
+  return "'" + printable + (text.size() > longest ? "…'" : "'");
 }
 
 void TextLines::fail(std::string_view what) const {

@@ -1,4 +1,4 @@
-// A text file word by word, with line numbers for its errors.
+// Reads a text file word by word, with line numbers for error messages.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,13 @@
 namespace bendlab {
 
 /// The lines of a text that hold words. A line ends with \n, \r\n or \r. A byte order mark of UTF-8 at the
-/// start is no part of the text. The text has to outlive the object. Throws std::invalid_argument with the
-/// line if something does not fit.
+/// start is skipped. The text has to outlive the object. Throws std::invalid_argument with the line number if
+/// a word is missing or is not of the requested kind.
 class TextLines {
  public:
-  /// Ignores the rest of a line from the character `comment` on, if it is not 0. A line whose last word ends
-  /// with the character `join`, if it is not 0, goes on in the next line; in front of a comment, too.
+  /// `comment`, if it is not 0, is the character that begins a comment, which ends with the line. `join`, if
+  /// it is not 0, is a character at the end of a line's last word that continues the line in the next line; a
+  /// comment may follow it.
   explicit TextLines(std::string_view text, char comment = '\0', char join = '\0');
 
   /// Goes to the next line with at least one word; false at the end of the text.
@@ -22,19 +23,20 @@ class TextLines {
   /// The same, but the end of the text is an error: "… ends before <what>".
   void need_next(std::string_view what);
 
-  std::size_t line() const { return line_; }  ///< number of the current line's first part, from 1
+  std::size_t line() const { return line_; }  ///< number of the current line, or of its first part, from 1
   std::size_t word_count() const { return words_.size(); }
   std::string_view word(std::size_t i) const;
-  double real(std::size_t i) const;  ///< nan and inf are allowed; too large is infinite
+  double real(std::size_t i) const;  ///< nan and inf are allowed; a number that is too large is infinite
   std::int64_t integer(std::size_t i) const { return integer_of(word(i)); }
   std::int64_t integer_of(std::string_view text) const;  ///< of a part of a word
   std::size_t count(std::size_t i) const;                ///< an integer that is not negative
 
-  /// A word for an error text: in quotes, cut if it is long, without control and other unusual characters.
+  /// A word for an error text: in quotes, shortened if it is long, with a ? for each byte that is not
+  /// printable ASCII.
   static std::string quoted(std::string_view text);
   std::string quoted(std::size_t i) const { return quoted(word(i)); }
 
-  std::string_view rest() const { return rest_; }  ///< what follows the current line
+  std::string_view rest() const { return rest_; }  ///< the text after the current line
   [[noreturn]] void fail(std::string_view what) const;
 
  private:

@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-// The triangles that edges connect.
+// The sets of triangles that edges connect.
 DisjointSets parts_of(const Triangles& triangles) {
   DisjointSets parts(static_cast<std::size_t>(triangles.rows()));
   for_each_edge(half_edges(triangles), [&](std::span<const HalfEdge<int>> sides) {
@@ -51,8 +51,8 @@ RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span
   return {rotation, to_mean - rotation * from_mean};
 }
 
-// Maximises Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b), with the components across the axis: φ is
-// the angle of the two sums.
+// Maximises Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b), where only components perpendicular to the
+// axis count. So φ is the angle of the vector of both sums.
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis) {
   double cosine = 0, sine = 0;
@@ -67,12 +67,12 @@ RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<c
 }
 
 Alignment::Alignment(const RestMesh& rest) : rest_(rest.positions()) {
-  std::map<std::size_t, std::vector<int>> found;
+  std::map<std::size_t, std::vector<int>> vertices_of_part;
   DisjointSets parts = parts_of(rest.triangles());
   for (int t = 0; t < rest.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c)
-      found[parts.find(static_cast<std::size_t>(t))].push_back(rest.triangles()(t, c));
-  for (auto& [lowest, vertices] : found) {
+      vertices_of_part[parts.find(static_cast<std::size_t>(t))].push_back(rest.triangles()(t, c));
+  for (auto& [lowest, vertices] : vertices_of_part) {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     parts_.push_back(std::move(vertices));
@@ -85,8 +85,8 @@ double Alignment::distance(const Positions& positions) const {
   for (const std::vector<int>& part : parts_) {
     const Positions now = rows_of(positions, part), rest = rows_of(rest_, part);
     if (!now.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-    const std::vector<double> alike(part.size(), 1);
-    sum += (nearest_motion(rest, now, alike).moved(rest) - now).squaredNorm();
+    const std::vector<double> equal_weights(part.size(), 1);
+    sum += (nearest_motion(rest, now, equal_weights).moved(rest) - now).squaredNorm();
     count += part.size();
   }
   return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));

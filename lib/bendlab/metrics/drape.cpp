@@ -29,15 +29,16 @@ Areas areas_of(const RestMesh& rest, const Pins& pins) {
   }
   if (!(areas.table > 0))
     throw std::invalid_argument(
-        "drape: no triangle has all corners pinned; the pins are the table the specimen lies on: pin its "
+        "drape: no triangle has all corners pinned; the pinned triangles are the specimen's table: pin its "
         "centre, with a distance of the table's radius");
   if (!(areas.table < areas.specimen))
-    throw std::invalid_argument("drape: every triangle is pinned, nothing hangs over: pin fewer");
+    throw std::invalid_argument(
+        "drape: every triangle is pinned, so nothing hangs over the table: pin fewer vertices");
   areas.centre /= areas.table;
   return areas;
 }
 
-// Extends the reach in each direction from the origin that the segment from `a` to `b` crosses.
+// Extends the reach in each direction from the origin that meets the segment from `a` to `b`.
 void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const double per_direction = 2 * pi / directions, start = std::atan2(a.y(), a.x());
   const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
@@ -45,7 +46,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   for (double k = std::ceil(low / per_direction); k * per_direction <= high; ++k) {
     const Eigen::Vector2d direction(std::cos(k * per_direction), std::sin(k * per_direction)), along = b - a;
     const double across = along.x() * direction.y() - along.y() * direction.x();
-    // A segment that points at the origin crosses no direction; by rounding it may cross any.
+    // The crossing with a segment that points at the origin is undefined, and by rounding may be anywhere.
     const double crossing = across == 0 ? 0 : (a.y() * direction.x() - a.x() * direction.y()) / across;
     const double share = std::clamp(crossing, 0.0, 1.0);
     const double distance = (a + share * along).dot(direction);
@@ -54,7 +55,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   }
 }
 
-// The number of maxima that are higher than the minima beside them by more than `depth`.
+// The number of maxima that are more than `depth` higher than the minima beside them.
 int maxima(const std::vector<double>& reach, double depth) {
   const auto lowest = static_cast<std::size_t>(std::min_element(reach.begin(), reach.end()) - reach.begin());
   int count = 0;
@@ -75,12 +76,12 @@ Drape drape_of(const RestMesh& rest, const Pins& pins, const Positions& position
   const Areas areas = areas_of(rest, pins);
   const Vector3 right = down.unitOrthogonal(), ahead = down.cross(right);
   Drape drape{.reach = std::vector<double>(directions, 0.0)};
-  const auto seen = [&](int vertex) -> Eigen::Vector2d {
+  const auto projected = [&](int vertex) -> Eigen::Vector2d {
     const Vector3 offset = positions.row(vertex).transpose() - areas.centre;
     return {offset.dot(right), offset.dot(ahead)};
   };
   for (int e = 0; e < rest.edges().rows(); ++e)
-    extend(drape.reach, seen(rest.edges()(e, 0)), seen(rest.edges()(e, 1)));
+    extend(drape.reach, projected(rest.edges()(e, 0)), projected(rest.edges()(e, 1)));
   double shadow = 0, mean = 0;
   for (const double r : drape.reach) shadow += pi / directions * r * r, mean += r / directions;
   drape.coefficient = (shadow - areas.table) / (areas.specimen - areas.table);

@@ -1,6 +1,6 @@
 // The drape coefficient (Cusick 1965; ISO 9073-9) of a round specimen that hangs over the edge of a round
-// table: the shadow of the overhanging part over its area. 1 for a stiff board, 0 for cloth that falls
-// straight down.
+// table: the area of the overhanging part's shadow, over the area of the overhanging part. 1 for a stiff
+// board, 0 for cloth that falls straight down.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace bendlab {
 
 struct Drape {
   double coefficient = 0;     ///< (shadow - table) / (specimen - table), areas
-  int folds = 0;              ///< maxima of the reach around the table, by more than a fiftieth of its mean
-  std::vector<double> reach;  ///< m, of the shadow from the table's centre, at equal angles around it
+  int folds = 0;              ///< maxima of the reach that stand out by more than a fiftieth of its mean
+  std::vector<double> reach;  ///< m, from the table's centre to the edge of the shadow, at equal angles
 };
 
 /// The drape of a cloth at `positions` (#V by 3, m). Its pinned triangles are the table, and its shadow falls

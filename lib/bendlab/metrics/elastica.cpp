@@ -12,10 +12,10 @@
 //
 //   φ' = κ(m),   m' = t sin φ,   m(0) = 0,   until φ = π/2, the clamp, at t = L;   Γ = L^(p+2)
 //
-// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve without shooting,
-// and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. With the cubic law the end of a soft strip hangs
-// exactly straight (φ = 0) up to some t₀, because a small curvature costs no energy to first order. Then t₀
-// replaces the angle as the variable.
+// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve without a
+// shooting method, and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. With the cubic law the end of a
+// soft strip hangs exactly straight (φ = 0) up to a length t₀, because a small curvature costs no energy to
+// first order. Then t₀ replaces φ(0) as the given value.
 
 namespace bendlab {
 namespace {
@@ -26,7 +26,7 @@ double curvature(BendingLaw law, double moment) {
   return law == BendingLaw::linear ? moment : std::cbrt(moment);
 }
 
-// t, φ, m, reach and drop between here and the free end.
+// t, φ, m, and the reach and drop of the part between here and the free end.
 enum Quantity { length, angle, moment, reach, drop };
 using State = std::array<double, 5>;
 
@@ -50,8 +50,8 @@ State runge_kutta(BendingLaw law, const State& y, double variable, double step, 
   return next;
 }
 
-// The free end: its angle to the vertical, or the length that hangs straight. Both follow from one number x;
-// the smaller it is, the softer the strip.
+// The free end: its angle to the vertical, or the length that hangs straight. Both follow from one number x:
+// the smaller x, the softer the strip.
 struct FreeEnd {
   double angle = 0, straight = 0;
 };
@@ -80,11 +80,12 @@ double short_length(BendingLaw law, double theta) {
 }
 
 HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
-  // The cubic law's solution is smooth in u = ∛τ; in t it goes as τ^(5/3).
+  // The cubic law's solution is smooth in u = ∛τ; in t it behaves like τ^(5/3).
   const int power = law == BendingLaw::linear ? 1 : 3;
-  const double about = std::min(1.0, short_length(law, quarter_turn - end.angle));
-  constexpr double fineness = 0.01;  // error in Γ 10⁻⁹ (linear) and 10⁻⁷ (cubic), of fourth order
-  const double largest_step = fineness * (law == BendingLaw::linear ? about : std::cbrt(about));
+  const double estimated_length = std::min(1.0, short_length(law, quarter_turn - end.angle));
+  constexpr double fineness = 0.01;  // error in Γ: 10⁻⁹ (linear), 10⁻⁷ (cubic); of fourth order
+  const double largest_step =
+      fineness * (law == BendingLaw::linear ? estimated_length : std::cbrt(estimated_length));
   const auto rate_of_u = [&](double u, const State&) { return power == 1 ? 1 : 3 * u * u; };
   State y = start(end);
   double u = power == 1 ? y[length] : std::cbrt(y[length] - end.straight);
@@ -95,7 +96,8 @@ HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
     y = next;
     u += step;
   }
-  // The last step goes over φ, which is known at the clamp, and so ends there exactly (Hénon 1982).
+  // The variable of the last step is φ. Its value at the clamp is known, so the step ends exactly there
+  // (Hénon 1982).
   const auto rate_of_angle = [&](double, const State& at) { return 1 / curvature(law, at[moment]); };
   y = runge_kutta(law, y, y[angle], quarter_turn - y[angle], rate_of_angle);
   const double l = y[length];
@@ -126,7 +128,7 @@ HangingStrip hanging_strip(BendingLaw law, double height_over_width) {
 }
 
 double amplification(BendingLaw law, double height_over_width) {
-  constexpr double step = 1e-3;  // of ln(H/W); the error is of its second order
+  constexpr double step = 1e-3;  // of ln(H/W); the error is of second order
   const double low = std::max(height_over_width * std::exp(-step), 1e-6),
                high = std::min(height_over_width * std::exp(step), 500.0);
   return std::log(hanging_strip(law, high).gamma / hanging_strip(law, low).gamma) / std::log(high / low);

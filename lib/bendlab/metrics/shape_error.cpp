@@ -14,7 +14,7 @@
 namespace bendlab {
 namespace {
 
-// A mesh's triangles in a tree, for the distance of the one nearest to a point.
+// A mesh's triangles in a tree, to find the distance of a point from the nearest triangle.
 class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh), tree_(centres(mesh)) {
@@ -45,7 +45,7 @@ class Surface {
 
   Vector3 vertex(int v) const { return mesh_.positions.row(v).transpose(); }
 
-  // Boxes have single precision: they are rounded outward, so that they hold the vertex.
+  // Boxes have single precision, so they are rounded outward to contain the vertex.
   Box box_of(int v) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Box box;
@@ -111,10 +111,10 @@ ShapeError shape_error(const Positions& pose, const Positions& reference, std::s
   return {weights > 0 ? std::sqrt(sum / weights) : 0, std::sqrt(largest)};
 }
 
-double hausdorff_distance(const TriangleMesh& one, const TriangleMesh& other) {
-  if (one.triangle_count() == 0 || other.triangle_count() == 0)
-    throw std::invalid_argument("Hausdorff distance: a surface without triangles is nowhere");
-  return std::max(farthest_from(one, Surface(other)), farthest_from(other, Surface(one)));
+double hausdorff_distance(const TriangleMesh& first, const TriangleMesh& second) {
+  if (first.triangle_count() == 0 || second.triangle_count() == 0)
+    throw std::invalid_argument("Hausdorff distance: a surface has no triangles");
+  return std::max(farthest_from(first, Surface(second)), farthest_from(second, Surface(first)));
 }
 
 double strain_error(const RestMesh& rest, const Positions& pose, const Positions& reference) {

@@ -15,18 +15,19 @@
 namespace bendlab {
 namespace {
 
-constexpr double same_place = 1e-5;  // sizes; single precision rounds coordinates by 10⁻⁷ sizes
+constexpr double same_place = 1e-5;  // mesh sizes; single precision rounds coordinates by 10⁻⁷ sizes
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void no_strip(const std::string& what) {
-  throw std::invalid_argument("no cantilever strip: " + what);
+  throw std::invalid_argument("the cloth is no cantilever strip: " + what);
 }
 
 Vector3 row(const Positions& positions, int vertex) {
   return positions.row(vertex).transpose();
 }
 
-// The edge of a triangle whose ends are pinned and whose third vertex is free. The free part lies left of it.
+// An edge whose ends are pinned, of a triangle whose third vertex is free. The free part lies to the edge's
+// left.
 struct ClampEdge {
   int from, to;
 };
@@ -48,8 +49,8 @@ std::vector<ClampEdge> clamp_edges(const RestMesh& rest, std::span<const char> i
   return edges;
 }
 
-// The direction of a rectangle's sides near `guess`: the one with the smallest box. (If a clamp's edge
-// zigzags, its ends can be at different s, so that the guess is turned.)
+// The direction of a rectangle's sides near `guess`: in this direction, the box around the rectangle is
+// smallest. (If a clamp's edge zigzags, its ends can be at different s, so that the guess is turned.)
 Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3& down) {
   const Vector3 sideways = down.cross(guess);
   const auto turned = [&](double angle) -> Vector3 {
@@ -68,8 +69,9 @@ Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3&
   return turned(0.5 * (low + high));
 }
 
-// The mean s of the free end over the width: it may zigzag by less than an edge. Sums over the edges of the
-// triangles there, taken around each triangle in the same sense: inner edges cancel, and the outline is left.
+// The mean s of the free end over the width. The free end may zigzag by less than an edge. Sums over the
+// edges of the triangles there, around each triangle in the same sense: inner edges cancel, so that only the
+// outline contributes.
 double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector3& across) {
   const double from = *std::ranges::max_element(s) - 0.75 * rest.mean_edge_length();
   double width = 0, sum = 0;
@@ -91,18 +93,18 @@ double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector
 std::vector<double> distinct(std::vector<double> s, double apart) {
   std::ranges::sort(s);
   std::vector<double> kept;
-  for (const double each : s)
-    if (kept.empty() || each - kept.back() > apart) kept.push_back(each);
+  for (const double value : s)
+    if (kept.empty() || value - kept.back() > apart) kept.push_back(value);
   return kept;
 }
 
-// The s of the slices: on the rows of vertices between clamp and free end if the mesh has rows, else evenly
-// spaced; about an edge apart. If rows are closer, some are left out evenly, so that all slices cut the
-// triangles alike.
+// The s of the slices, about an edge apart. They lie on the rows of vertices between clamp and free end if
+// the mesh has rows; otherwise they are evenly spaced. If rows are closer than 0.7 edges, rows are skipped
+// evenly, so that all slices cut the triangles in the same way.
 std::vector<double> stations(const std::vector<double>& s, double length, double edge) {
   std::vector<double> rows;
-  for (const double each : s)
-    if (each > 0.25 * edge && each < length - 0.25 * edge) rows.push_back(each);
+  for (const double vertex_s : s)
+    if (vertex_s > 0.25 * edge && vertex_s < length - 0.25 * edge) rows.push_back(vertex_s);
   rows = distinct(std::move(rows), 1e-5 * length);
   double least = length;
   for (std::size_t i = 1; i < rows.size(); ++i) least = std::min(least, rows[i] - rows[i - 1]);
@@ -138,8 +140,8 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
-// Smooths the logarithms of three consecutive slices with the weights 1/4, 1/2, 1/4. That removes what
-// alternates from row to row and keeps every power law.
+// Smooths the logarithms of three consecutive slices with the weights 1/4, 1/2, 1/4. That removes differences
+// that alternate from row to row, and keeps every power law.
 MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
   MomentCurvatureFit result;
   std::vector<double> log_k, log_m;
@@ -195,7 +197,8 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
   const std::vector<ClampEdge> edges = clamp_edges(rest, is_pinned, down_);
   if (edges.empty()) no_strip("its pins hold no side with free cloth beside it; pin one whole side");
 
-  // The sum of the edges' normals is the clamp's width times the direction of the strip, even if they zigzag.
+  // The sum of the edges' normals is the clamp's width times the direction of the strip, even if the edges
+  // zigzag.
   Vector3 across = Vector3::Zero();
   double edge_length = 0;
   for (const ClampEdge& edge : edges) {
@@ -218,7 +221,7 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
   }
   clamp_depth_ = high - low;
   if (clamp_depth_ > 2 * rest.mean_edge_length())
-    no_strip(fmt::format("the edge of its clamp is not straight but {:.3g} m deep, more than two edges",
+    no_strip(fmt::format("the edge of its clamp is not straight: it zigzags by {:.3g} m, more than two edges",
                          clamp_depth_));
 
   for (int v = 0; v < rest.vertex_count(); ++v) {
@@ -240,11 +243,11 @@ void StiffnessMeter::find_slices(const RestMesh& rest) {
     area += beyond({s(0), s(1), s(2)}, {}, areas_[t], 0).area;
   }
   width_ = area / length_;
-  constexpr double all = std::numeric_limits<double>::infinity();
+  constexpr double unbounded = std::numeric_limits<double>::infinity();
   for (const double s : stations(s_, length_, rest.mean_edge_length()))
-    slices_.push_back(slice(s, -all, all));
+    slices_.push_back(slice(s, -unbounded, unbounded));
   if (slices_.size() < 5)
-    no_strip(fmt::format("its free part is {} edges long; four are the least that show a curvature",
+    no_strip(fmt::format("its free part is {} edges long; to show a curvature it needs at least four",
                          slices_.size() - 1));
   if (slices_[0].width < 0.6 * width_)
     no_strip(
@@ -252,13 +255,14 @@ void StiffnessMeter::find_slices(const RestMesh& rest) {
                     slices_[0].width, width_));
   for (std::size_t i = 0; i + 1 < slices_.size(); ++i)       // not the free end: it may zigzag
     if (std::abs(slices_[i].width - width_) > 0.4 * width_)  // a lattice two edges wide differs by a third
-      no_strip(
-          fmt::format("at s = {:.3g} m it is {:.3g} m wide, {:.3g} m on average; a strip is equally wide",
-                      slices_[i].s, slices_[i].width, width_));
+      no_strip(fmt::format(
+          "at s = {:.3g} m it is {:.3g} m wide, but {:.3g} m on average; a strip has to be equally wide "
+          "everywhere",
+          slices_[i].s, slices_[i].width, width_));
   const auto last = slices_.end() - 1;
   const double low = std::ranges::max_element(slices_.begin(), last, {}, &Slice::low)->low,
                high = std::ranges::min_element(slices_.begin(), last, {}, &Slice::high)->high;
-  for (Slice& each : slices_) each = slice(each.s, low, high);
+  for (Slice& cut : slices_) cut = slice(cut.s, low, high);
 }
 
 Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
@@ -267,17 +271,17 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Cuts the triangles slightly beside s, towards the middle, so that no vertex lies on the line, between `low`
-// and `high`.
+// Cuts the triangles between `low` and `high`, along a line slightly beside s, towards the strip's middle, so
+// that no vertex lies on the line.
 StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
   const double to_middle = length_ - 2 * s,
                aside = std::abs(to_middle) > 1e-3 * length_ ? to_middle : 1e-3 * length_;
   const double line = s + hair * aside;
-  constexpr double all = std::numeric_limits<double>::infinity();
-  Slice result{.s = s, .low = all, .high = -all};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Slice result{.s = s, .low = infinity, .high = -infinity};
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t) {
-    // Each end lies between two vertices: these, and their weights.
+    // The line cuts the triangle at two ends. Each end lies between two vertices, with these weights.
     std::array<std::array<std::pair<int, double>, 2>, 2> ends;
     std::size_t crossed = 0;
     for (int c = 0; c < 3; ++c) {
@@ -311,15 +315,15 @@ StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) c
 
 std::vector<Vector3> StiffnessMeter::middle_line(const Positions& positions) const {
   if (positions.rows() != rest_positions_.rows() || !positions.allFinite())
-    throw std::invalid_argument(fmt::format("stiffness: {} positions, {}, for {} vertices", positions.rows(),
-                                            positions.allFinite() ? "finite" : "some not finite",
-                                            rest_positions_.rows()));
+    throw std::invalid_argument(
+        fmt::format("stiffness: there are {} positions ({}) for {} vertices", positions.rows(),
+                    positions.allFinite() ? "all finite" : "not all finite", rest_positions_.rows()));
   for (const int v : pinned_)
     if ((row(positions, v) - row(rest_positions_, v)).norm() > same_place * size_)
-      no_strip(fmt::format("its clamp has moved or turned: vertex {} is {:.3g} m from its place at rest", v,
+      no_strip(fmt::format("its clamp has moved or turned: vertex {} is {:.3g} m from its rest position", v,
                            (row(positions, v) - row(rest_positions_, v)).norm()));
   std::vector<Vector3> line;
-  for (const Slice& each : slices_) line.push_back(each.middle(positions));
+  for (const Slice& cut : slices_) line.push_back(cut.middle(positions));
   return line;
 }
 
@@ -389,12 +393,13 @@ std::vector<ProfileRow> StiffnessMeter::profile(const Positions& positions, cons
                     .moment = moment(positions, slices_[i].s, line[i].dot(along_))});
     largest = std::max(largest, curvature);
   }
-  // κ is not fitted below a hundredth of the largest curvature, nor if rounding could be a twentieth of it.
+  // A row does not enter the fit if its κ is below a hundredth of the largest curvature, or if rounding could
+  // cause a twentieth of its κ.
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    ProfileRow& each = rows[i];
+    ProfileRow& entry = rows[i];
     const double step = 0.5 * (slices_[i + 2].s - slices_[i].s);
-    each.fitted = each.s > options.exclude && each.s < length_ - options.exclude && each.moment > 0 &&
-                  each.curvature > std::max(0.01 * largest, 20 * 4 * options.rounding / (step * step));
+    entry.fitted = entry.s > options.exclude && entry.s < length_ - options.exclude && entry.moment > 0 &&
+                   entry.curvature > std::max(0.01 * largest, 20 * 4 * options.rounding / (step * step));
   }
   return rows;
 }

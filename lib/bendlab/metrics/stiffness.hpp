@@ -5,16 +5,16 @@
 //   |////////|-----------------------------------|
 //            ^ clamp's edge                  free end
 //
-// Two ways of measuring check each other:
+// Two methods check each other:
 //
-// * The free end alone: H/W on the curve of a strip with m = B κ or m = C κ³ (elastica.hpp).
-// * The whole shape: by statics the weight gives the moment m(s) at every s, whatever resists it. So m over
-//   the curvature κ(s) shows the bending law.
+// * The free end alone: H/W gives B or C, by the curve of a strip with m = B κ or m = C κ³ (elastica.hpp).
+// * The whole shape: by statics, the weight gives the moment m(s) at every s, whatever the bending law is. So
+//   m over the curvature κ(s) shows the bending law.
 //
-// The middle line is the mean over the width of slices s = const through the triangles. There is about one
-// slice per edge, on the rows of vertices if the mesh has rows. All slices use the same band of the width,
-// because every second row of a lattice is an edge wider, and because a sheet that is bent one way also bends
-// a little the other way, most at its sides.
+// The middle line consists of the centres of slices: a slice is a cut s = const through the triangles. There
+// is about one slice per edge, on the rows of vertices if the mesh has rows. All slices use the same band of
+// the width, because every second row of a lattice is an edge wider, and because a sheet that is bent along
+// its length also bends a little across it, most at its sides.
 #pragma once
 
 #include <limits>
@@ -35,9 +35,11 @@ struct StripOptions {
   /// How far behind the clamp's edge the strip begins to bend, m, because a bending constraint across the
   /// edge bends on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
   double clamp_offset = 0;
-  /// m: m(κ) is not fitted nearer to clamp and free end than this, the reach of a constraint.
+  /// m, the reach of a constraint. Slices that are nearer to the clamp or the free end do not enter the fit
+  /// of m(κ).
   double exclude = 0;
-  double rounding = 0;  ///< m, error of a coordinate; curvatures that it could cause are not fitted
+  /// m, rounding error of a coordinate. Curvatures that it could cause do not enter the fit of m(κ).
+  double rounding = 0;
 };
 
 /// A slice of the settled strip.
@@ -58,11 +60,11 @@ struct MomentCurvatureFit {
   double residual = std::numeric_limits<double>::quiet_NaN();     ///< root mean square, of ln m
   double rigidity = std::numeric_limits<double>::quiet_NaN();     ///< B, N m: geometric mean of m / κ
   double quartic = std::numeric_limits<double>::quiet_NaN();      ///< C, N m³: geometric mean of m / κ³
-  int samples = 0;                                                ///< number of such triples
+  int samples = 0;                                                ///< in the fit
 };
 
-/// Numbers from H/W are NaN if H/W is outside of 10⁻⁶ to 500: the strip has not dropped, or hangs straight
-/// down.
+/// Metrics that follow from H/W are NaN if H/W is outside of 10⁻⁶ to 500: then the strip has not dropped, or
+/// hangs straight down.
 struct StripStiffness {
   double length = 0;             ///< L, m, of the free part at rest
   double width = 0;              ///< m, mean of the free part
@@ -86,8 +88,8 @@ struct StripStiffness {
 
 class StiffnessMeter {
  public:
-  /// `is_pinned` #V. The strip has to lie flat across gravity, and its pins have to hold one whole side and
-  /// nothing else. Otherwise throws std::invalid_argument with what is missing.
+  /// `is_pinned` is #V. At rest the strip has to be flat and horizontal, and its pins have to hold one whole
+  /// side and nothing else. Otherwise throws std::invalid_argument, which says what is wrong.
   StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
 
   /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
@@ -99,7 +101,7 @@ class StiffnessMeter {
   /// the clamp has moved.
   StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
-  /// H/W alone; the strip may still move. Throws as measure().
+  /// Measures only H/W; the strip may still move. Throws like measure().
   double height_over_width(const Positions& positions, double clamp_offset) const;
 
  private:
@@ -107,7 +109,7 @@ class StiffnessMeter {
     double s = 0;                                 // m from the clamp's edge
     double width = 0;                             // m, of the part in the common band
     double low = 0, high = 0;                     // m, range of y across the strip
-    std::vector<std::pair<int, double>> weights;  // of vertices: their mean is the middle of the slice
+    std::vector<std::pair<int, double>> weights;  // vertex, weight; the mean is the slice's middle
     Vector3 middle(const Positions& positions) const;
   };
 

@@ -10,7 +10,7 @@
 namespace bendlab {
 namespace {
 
-constexpr double pin_region = 0.1;  // sizes around a pin
+constexpr double pin_region = 0.1;  // mesh sizes around a pin
 
 PrincipalStretches principal_stretches(const Vector3& f1, const Vector3& f2) {
   // σ₁² is the larger eigenvalue of FᵀF. σ₂ follows from σ₁ σ₂ = |f1 × f2|, which keeps the digits of a small

@@ -15,12 +15,12 @@ struct PrincipalStretches {
   double largest = 1, smallest = 1;
 };
 
-/// The stretches of all triangles in four numbers. A maximum over no triangles is NaN.
+/// Four metrics that summarise the stretches of all triangles. A maximum over no triangles is NaN.
 struct StretchSummary {
   double mean_strain = 0;      ///< mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|)
   double max_stretch = 0;      ///< largest σ₁
   double pin_max_stretch = 0;  ///< largest σ₁ over triangles that touch a pinned vertex
-  /// Largest σ₁ within 0.1 sizes (rest box diagonal) of a pin that the scene names.
+  /// Largest σ₁ over triangles within 0.1 sizes (rest box diagonal) of a pin that the scene names.
   double pin_region_stretch = 0;
 };
 
@@ -28,8 +28,8 @@ class StretchMeter {
  public:
   StretchMeter(const RestMesh& rest, const Pins& pins);
 
-  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN if a position is not finite. A
-  /// degenerate rest triangle (see bad_triangles.hpp) has none: always 1.
+  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN if a position is not finite. Both
+  /// stretches of a degenerate rest triangle (see bad_triangles.hpp) are always 1.
   std::vector<PrincipalStretches> measure(const Positions& positions) const;
   StretchSummary summarise(std::span<const PrincipalStretches> stretches) const;
 

@@ -1,4 +1,4 @@
-// State as bytes: what a run needs to go on later where it stopped.
+// State as bytes, so that a run can go on later where it stopped.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,8 @@ namespace bendlab {
 ///
 ///   void archive(Archive& a) { a(position_, velocity_, steps_); }
 ///
-/// For the program that wrote them, on the same kind of machine: numbers are copied as they lie in memory.
+/// Only the program that wrote the bytes can read them, on the same kind of machine: numbers are copied as
+/// they lie in memory.
 class Archive {
  public:
   Archive() = default;                                                             ///< writes
@@ -25,9 +26,9 @@ class Archive {
   const std::string& bytes() const { return bytes_; }
   bool at_end() const { return !reads_ || at_ == bytes_.size(); }
 
-  /// Numbers, enumerators, structs without pointers, texts, vectors, optionals, dense matrices, and what has
-  /// an archive(Archive&) of its own. Throws std::runtime_error if there are not enough bytes to read, or a
-  /// matrix does not fit.
+  /// Takes numbers, enumerators, structs without pointers, texts, vectors, optionals, dense matrices, and
+  /// types with their own archive(Archive&). Throws std::runtime_error if there are not enough bytes to read,
+  /// or a matrix does not fit.
   template <class... Values>
   void operator()(Values&... values) {
     (value(values), ...);
@@ -45,7 +46,7 @@ class Archive {
     else
       list(v);
   }
-  // Most bytes are no bool.
+  // Not by raw(): only two values of a byte are valid as a bool.
   void truth(bool& v) {
     auto byte = static_cast<unsigned char>(v);
     raw(&byte, sizeof byte);
@@ -75,17 +76,17 @@ class Archive {
   // Texts and vectors.
   template <class List>
   void list(List& v) {
-    using Each = typename List::value_type;
+    using Element = typename List::value_type;
     std::size_t size = v.size();
     raw(&size, sizeof size);
     if (reads_) {
       require(size);
       v.resize(size);
     }
-    if constexpr (std::is_trivially_copyable_v<Each> && !requires(Each each) { each.archive(*this); })
-      raw(v.data(), size * sizeof(Each));
+    if constexpr (std::is_trivially_copyable_v<Element> && !requires(Element e) { e.archive(*this); })
+      raw(v.data(), size * sizeof(Element));
     else
-      for (Each& each : v) value(each);
+      for (Element& element : v) value(element);
   }
 
   void raw(void* data, std::size_t size) {

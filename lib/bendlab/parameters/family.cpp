@@ -14,13 +14,13 @@ void check_new_name(std::string_view family, std::string_view name, std::span<co
   };
   if (name.empty() || !std::ranges::all_of(name, allowed))
     throw std::invalid_argument(
-        fmt::format("the {} '{}' cannot be registered: a name holds letters (a-z, A-Z), digits, '_' and '-' "
-                    "only, and at least one of them",
+        fmt::format("the {} '{}' cannot be registered: a name consists of letters (a-z, A-Z), digits, '_' "
+                    "and '-', and is not empty",
                     family, name));
   if (std::ranges::find(taken, name) != taken.end())
-    throw std::invalid_argument(fmt::format(
-        "the {} '{}' cannot be registered: there is one of that name; choose another name than {}", family,
-        name, fmt::join(taken, ", ")));
+    throw std::invalid_argument(
+        fmt::format("the {} '{}' cannot be registered: the name is taken; choose a name other than {}",
+                    family, name, fmt::join(taken, ", ")));
 }
 
 }  // namespace bendlab::detail

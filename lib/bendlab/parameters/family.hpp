@@ -1,9 +1,10 @@
-// Families: bending models, effects, solver methods, measures. Each member of a family has a kind, which says
-// its name, its traits and what it does; and, but for measures, a struct of settings that knows its kind:
+// Families: bending models, effects, solver methods, measures. Each member of a family has a kind, which
+// holds its name, its traits and its functions. Except for measures, it also has a struct of settings that
+// refers to its kind:
 //
 //   struct Wind { Vector3 velocity = {0, 5, 0}; …; static const EffectKind kind; };
 //
-// A program may add to every family.
+// A program may add members to every family.
 #pragma once
 
 #include <algorithm>
@@ -34,7 +35,7 @@ class Chosen {
   requires std::same_as<decltype(Settings::kind), const Kind> Chosen(Settings settings)
       : kind_(&Settings::kind), settings_(std::make_shared<const Settings>(std::move(settings))) {}
 
-  /// With its default settings.
+  /// A member with its default settings.
   explicit Chosen(const Kind& kind) : kind_(&kind), settings_(kind.settings.copy(kind.settings.defaults())) {}
   Chosen(const Kind& kind, std::shared_ptr<const void> settings)
       : kind_(&kind), settings_(std::move(settings)) {}
@@ -54,7 +55,8 @@ class Chosen {
   std::shared_ptr<const void> settings_;
 };
 
-/// A function of a kind that takes its settings: `.build = erased<build>` for `build(const Adaptive&, …)`.
+/// Adapts a function of a member's settings to the type that its kind needs: `.build = erased<build>` for
+/// `build(const Adaptive&, …)`.
 namespace detail {
 template <auto function>
 struct Erased;
@@ -67,38 +69,38 @@ struct Erased<function> {
 /// Throws std::invalid_argument if the name cannot be a key of a config, or if it is taken.
 void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken);
 
-/// How often a kind was added to any registry.
+/// How often a kind was added to or removed from any registry.
 inline std::atomic<int> registered{0};
 }  // namespace detail
 template <auto function>
 inline constexpr auto erased = &detail::Erased<function>::call;
 
-/// A value that is made of kinds, such as a table of their names: make(), which is called again after kinds
-/// were added. What was made before stays where it is.
+/// The result of make(), which depends on the registered kinds: a table of their names, for example. make()
+/// is called again after kinds were added or removed. Earlier results stay valid.
 template <auto make>
 const auto& made_of_kinds() {
   static std::mutex access;
   static std::map<int, decltype(make())> made;
   const std::lock_guard lock(access);
   const int now = detail::registered;
-  const auto found = made.find(now);
-  return found != made.end() ? found->second : made.emplace(now, make()).first->second;
+  const auto earlier = made.find(now);
+  return earlier != made.end() ? earlier->second : made.emplace(now, make()).first->second;
 }
 
-/// The kinds of a family: those listed, and then those that the program registers. Only one thread may change
-/// a registry, and only while no other thread reads configs.
+/// The kinds of a family: first the listed kinds, then the kinds that the program registers. Only one thread
+/// may change a registry, and only while no other thread reads configs.
 template <class Kind>
 class Registry {
  public:
-  /// `family`: "bending model", for messages.
+  /// `family`: "bending model", for error messages.
   Registry(std::string_view family, std::span<const Kind* const> listed)
       : family_(family), kinds_(listed.begin(), listed.end()), listed_(std::ssize(listed)) {}
 
-  /// The kind has to stay where it is. Throws std::invalid_argument for a name that is taken or no name,
+  /// The kind has to stay at its address. Throws std::invalid_argument for a name that is taken or not valid,
   /// and for a kind without a table of settings.
   void add(const Kind& kind) {
     std::vector<std::string_view> taken;
-    for (const Kind* each : kinds_) taken.push_back(each->name);
+    for (const Kind* known : kinds_) taken.push_back(known->name);
     detail::check_new_name(family_, kind.name, taken);
     if constexpr (requires { kind.settings.copy; })
       if (kind.settings.copy == nullptr)
@@ -122,8 +124,8 @@ class Registry {
 
   /// The kind of that name, or null.
   const Kind* find(std::string_view name) const {
-    const auto found = std::ranges::find(all(), name, &Kind::name);
-    return found == all().end() ? nullptr : *found;
+    const auto kind = std::ranges::find(all(), name, &Kind::name);
+    return kind == all().end() ? nullptr : *kind;
   }
 
  private:

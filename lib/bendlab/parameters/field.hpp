@@ -1,6 +1,6 @@
 // The settings of a struct: a row for each member with its name, unit, range and meaning. The rows parse
 // JSON, write it, and print the reference; there is no second list. The default of a setting is the
-// initialiser of its member, and stands nowhere else.
+// initialiser of its member, and is stated nowhere else.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,7 +33,7 @@ enum class FieldType {
   texts,     ///< list of texts, each one of `choices` if there are any
 };
 
-/// What a row says of its member. `minimum` and `maximum` bound numbers and each entry of a list.
+/// What a row says about its member. `minimum` and `maximum` bound numbers and each entry of a list.
 struct FieldNotes {
   std::string_view name = {};
   std::string_view unit = {};  ///< SI, "1" for a pure number, empty if a unit has no meaning
@@ -42,19 +42,19 @@ struct FieldNotes {
   double maximum = std::numeric_limits<double>::infinity();
   bool above = false;                              ///< the minimum itself is not allowed
   bool required = false;                           ///< must be given; the member's initialiser is no default
-  std::span<const std::string_view> choices = {};  ///< of a text; of an enumeration, in its order
+  std::span<const std::string_view> choices = {};  ///< allowed texts; for an enumeration, in its order
   bool names_file = false;                         ///< a file that the scene reads, relative to its folder
   bool (*read_when)(const void* scene) = nullptr;  ///< null: always; see read_when()
-  bool (*kept_when)(const void* scene) = nullptr;  ///< the canonical settings hold it; null: when it is read
-  std::string_view depends_on = {};  ///< pointer to the choice that read_when depends on; empty: to none
+  bool (*kept_when)(const void* scene) = nullptr;  ///< when canonical settings hold it; null: when it is read
+  std::string_view depends_on = {};  ///< pointer to the choice that read_when depends on; empty: no choice
 };
 
 /// A row: a setting and its member.
 struct Field : FieldNotes {
   FieldType type = FieldType::number;
   bool optional = false;                              ///< a std::optional, which may be absent
-  std::size_t length = 0;                             ///< of a list of numbers; 0: any
-  const void* (*place)(const void* owner) = nullptr;  ///< of the member
+  std::size_t length = 0;                             ///< of a list of numbers; 0: any length
+  const void* (*place)(const void* owner) = nullptr;  ///< address of the member
   Value (*get)(const Field& field, const void* place) = nullptr;
   void (*set)(const Field& field, void* place, const Value& value) = nullptr;
 
@@ -165,7 +165,7 @@ struct MemberPointer<M C::*> {
 }  // namespace detail
 
 /// The row of a member: field<&Wind::velocity>({.name = "velocity", .unit = "m/s", …}). For a member of a
-/// base the struct itself is named too: field<&Sphere::thickness, Sphere>({…}).
+/// base class, the struct itself is named, too: field<&Sphere::thickness, Sphere>({…}).
 template <auto member, class Owner = typename detail::MemberPointer<decltype(member)>::Class>
 constexpr Field field(const FieldNotes& notes) {
   using Member = typename detail::MemberPointer<decltype(member)>::Member;
@@ -189,14 +189,14 @@ constexpr auto read_when(Predicate) {
   return +[](const void* scene) { return static_cast<bool>(Predicate{}(*static_cast<const Scene*>(scene))); };
 }
 
-/// A struct's rows, and how to make one.
+/// A struct's rows, and how to make such a struct.
 struct FieldTable {
   std::span<const Field> fields = {};
   const void* (*usual)(const void* own) = nullptr;  ///< defaults()
   std::shared_ptr<void> (*copy)(const void* owner) = nullptr;
-  const void* own = nullptr;  ///< of tables that are made at run time: their defaults
+  const void* own = nullptr;  ///< defaults of a table that is made at run time
 
-  const void* defaults() const { return usual(own); }  ///< a struct that nobody changed
+  const void* defaults() const { return usual(own); }  ///< a struct with all defaults
 
   Value default_of(const Field& field) const { return field.of(defaults()); }
   /// The row of that name, or null.

@@ -7,15 +7,15 @@
 
 namespace bendlab {
 
-/// The value in the middle; if their number is even, the larger of the two there. Reorders the values, of
-/// which there is at least one.
+/// The middle value; of an even number of values, the larger of the two in the middle. Reorders the values.
+/// There has to be at least one value.
 inline double upper_median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
 }
 
-/// The same; if their number is even, the mean of the two in the middle.
+/// The middle value; of an even number of values, the mean of the two in the middle.
 inline double median(std::vector<double> values) {
   const double upper = upper_median(values);
   if (values.size() % 2 == 1) return upper;

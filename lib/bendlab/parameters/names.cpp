@@ -8,7 +8,7 @@
 namespace bendlab::detail {
 
 void throw_unknown_name(std::string_view name, std::span<const std::string_view> names) {
-  throw std::invalid_argument(fmt::format("'{}' is none of {}", name, fmt::join(names, ", ")));
+  throw std::invalid_argument(fmt::format("'{}' is not one of {}", name, fmt::join(names, ", ")));
 }
 
 }  // namespace bendlab::detail

@@ -1,4 +1,4 @@
-// Converts between texts and enumerators. Each enumeration has its table of names beside it, in its order.
+// Converts between texts and enumerators. Each enumeration has a table of names beside it, in the same order.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace detail {
 /// The enumerator of that name. Throws std::invalid_argument with the known names.
 template <class Enum>
 requires std::is_enum_v<Enum> Enum named(std::string_view name, std::span<const std::string_view> names) {
-  const auto found = std::ranges::find(names, name);
-  if (found == names.end()) detail::throw_unknown_name(name, names);
-  return static_cast<Enum>(found - names.begin());
+  const auto place = std::ranges::find(names, name);
+  if (place == names.end()) detail::throw_unknown_name(name, names);
+  return static_cast<Enum>(place - names.begin());
 }
 
 /// An enumerator's name in its table.

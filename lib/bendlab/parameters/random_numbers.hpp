@@ -16,7 +16,7 @@ inline double uniform(std::mt19937_64& random) {
   return unit_interval(random());
 }
 
-/// The n-th number of the SplitMix64 generator (Steele, Lea and Flood 2014) of that seed.
+/// The n-th number of the SplitMix64 generator (Steele, Lea and Flood 2014) with that seed.
 inline std::uint64_t split_mix(std::uint64_t seed, std::uint64_t n) {
   std::uint64_t z = seed + (n + 1) * std::uint64_t{0x9e3779b97f4a7c15};
   z = (z ^ (z >> 30)) * std::uint64_t{0xbf58476d1ce4e5b9};

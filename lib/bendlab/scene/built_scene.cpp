@@ -26,7 +26,8 @@
 namespace bendlab {
 namespace {
 
-// As many as make the cells of a grid squares; more than a mesh may have are as many as an int holds.
+// The number of rows that makes the cells of a grid squares. If it is more than an int holds, the largest
+// int: a mesh may not have so many rows anyway.
 int rows_of_squares(double width, double height, int cells) {
   constexpr double most = std::numeric_limits<int>::max();
   return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
@@ -54,7 +55,7 @@ TriangleMesh generate(const Mesh& mesh) {
 // A cone whose tip is far smaller than its base, for example, has triangles that count as having no area.
 void require_areas(const TriangleMesh& mesh) {
   const std::vector<char> without = triangles_without_area(mesh);
-  if (const auto count = std::ranges::count_if(without, [](char each) { return each != 0; }); count > 0)
+  if (const auto count = std::ranges::count_if(without, [](char no_area) { return no_area != 0; }); count > 0)
     throw std::invalid_argument(fmt::format(
         "with these lengths {} of {} triangles have no area (they are thinner than {:.0e} of the mesh); "
         "choose lengths that differ less",
@@ -96,14 +97,15 @@ AcceptedMesh mesh_of_program(const TriangleMesh& given, BadTriangles policy) {
   }
 }
 
-// Names take z for up in a sheet that stands; in a plane x = const gravity may say that it is y.
+// In a sheet that stands, names of places take z for up; if the sheet lies in a plane x = const, gravity may
+// show that y is up.
 void require_up(const RestMesh& rest, const std::vector<Place>& names, const Vector3& down) {
   const NamedAxes axes = named_axes(rest);
   if (names.empty() || axes.front != 0 || std::abs(down.z()) >= std::abs(down.y())) return;
   throw ConfigError(
       "/pins/vertices",
       {{"/pins/vertices",
-        fmt::format("'{}' is not known of this sheet: it stands in a plane x = const, where names take z for "
+        fmt::format("'{}' is unclear for this sheet: it stands in a plane x = const, where names take z for "
                     "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
                     "is up, or pin by /pins/indices, with \"vertices\": []",
                     name_in(place_names, names.front()))}});
@@ -134,7 +136,7 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   std::vector<int> seeds;
   for (const Place place : pinning.vertices) try {
       for (const int vertex : select_vertices(rest, place)) seeds.push_back(vertex);
-    } catch (const std::invalid_argument& error) {  // a name that this mesh has no place for
+    } catch (const std::invalid_argument& error) {  // the mesh has no place of that name
       throw ConfigError("/pins/vertices", {{"/pins/vertices", error.what()}});
     }
   for (const int index : pinning.indices) {
@@ -148,25 +150,25 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
 }
 
-// Areas and their inverses have to stay within single precision. An offset rounds coordinates, by less than
-// the height of a triangle that counts as one without area.
+// Areas and their inverses have to stay within the range of single precision. An offset rounds coordinates;
+// it may round them by less than the height of a triangle that counts as having no area.
 void require_numbers_hold(const TriangleMesh& mesh, bool has_offset) {
   constexpr double smallest = 1e-18, largest = 1e18, epsilon = std::numeric_limits<double>::epsilon();
   const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm(),
                farthest = mesh.positions.cwiseAbs().maxCoeff();
   if (!(size >= smallest && size <= largest))
     throw MeshError(
-        fmt::format("mesh: can't be simulated: it is {:.3g} m large, and the numbers of a simulation hold "
-                    "sizes from {} to {} m; check its extent and /mesh/scale",
+        fmt::format("mesh: can't be simulated: it is {:.3g} m large, and a simulation can compute with sizes "
+                    "from {} to {} m; check its extent and /mesh/scale",
                     size, smallest, largest));
   if (has_offset && !(farthest * epsilon <= zero_area_thickness * size))
     throw MeshError(
-        fmt::format("mesh: can't be simulated: {:.3g} m from the origin coordinates are rounded to {:.2g} m, "
-                    "too coarse for a mesh of {:.3g} m; choose a smaller /mesh/offset",
+        fmt::format("mesh: can't be simulated: {:.3g} m from the origin, coordinates are rounded to {:.2g} "
+                    "m, which is too coarse for a mesh of {:.3g} m; choose a smaller /mesh/offset",
                     farthest, farthest * epsilon, size));
 }
 
-// A physical stiffness is one compliance for all triangles, or each constraint's own.
+// A physical stiffness becomes one compliance for all triangles, or a compliance for each bending constraint.
 StiffnessKind kind_of(Stiffness stiffness) {
   return stiffness == Stiffness::physical ? StiffnessKind::compliance : static_cast<StiffnessKind>(stiffness);
 }
@@ -182,7 +184,7 @@ StrainStiffness strain_stiffness(const Strain& strain) {
               strain.stiffness == Stiffness::physical ? 1 / strain.membrane_stiffness : strain.compliance};
 }
 
-// A physical stiffness is in each constraint's own softness, at a compliance of 1.
+// A physical stiffness is contained in each constraint's own softness; the compliance is then 1.
 BendingStiffness bending_stiffness(const Bending& bending) {
   return {.kind = kind_of(bending.stiffness),
           .k = bending.k,
@@ -219,7 +221,7 @@ void check_own_elements(const SimulationInput& input) {
   throw ConfigError(
       "solver method",
       {{"/solver/method",
-        fmt::format("'{}' has no kernels for the elements of '{}', which are the program's own: choose {}",
+        fmt::format("'{}' has no kernels for the elements of '{}', which this program defines: choose {}",
                     input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
 }
 
@@ -258,8 +260,8 @@ int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs
       }));
 }
 
-// The compiled passes of the effect at `index`, under its name. Throws ConfigError for settings that do not
-// go together, or not with this mesh.
+// The compiled passes of the effect at `index`, under its name. Throws ConfigError for settings that
+// contradict each other or do not suit this mesh.
 template <class Real>
 std::vector<Pass<Real>> passes_at(const BuiltScene& scene, std::size_t index) {
   const Effect& effect = scene.effects[index];
@@ -267,9 +269,9 @@ std::vector<Pass<Real>> passes_at(const BuiltScene& scene, std::size_t index) {
   const MethodKind& method = scene.input.method.kind();
   if (!method.takes_effect(kind.needs_projection, kind.acts_in_iterations)) return {};
   if (kind.helps_projection && membrane_needs_no_tethers(scene)) return {};
-  const bool contacts_used =  // implicit steps tell obstacles from layers of cloth by them
+  const bool contacts_used =  // by contacts, implicit steps tell obstacles from layers of cloth
       !method.projects ||
-      std::ranges::any_of(scene.effects, [](const Effect& each) { return each.kind().uses_contacts; });
+      std::ranges::any_of(scene.effects, [](const Effect& listed) { return listed.kind().uses_contacts; });
   std::vector<Pass<Real>> passes;
   try {
     passes = passes_of<Real>(effect,
@@ -292,7 +294,7 @@ Precision precision_of(const BuiltScene& scene, ChosenPrecision asked) {
                                                                               : Precision::double_precision;
 }
 
-// Throws ConfigError for a pass that the method's plan has no place for: its effect would do nothing.
+// Throws ConfigError for a pass that the method's step plan does not contain: its effect would do nothing.
 template <class Real>
 void check_plan(const BuiltScene& scene, const std::vector<Pass<Real>>& passes,
                 const Simulation& simulation) {
@@ -302,8 +304,8 @@ void check_plan(const BuiltScene& scene, const std::vector<Pass<Real>>& passes,
         std::ranges::find(simulation.passes(), pass.name, &PassStatistics::name) == simulation.passes().end())
       throw ConfigError("solver method",
                         {{"/solver/method",
-                          fmt::format("'{}' has no place in its substeps for '{}', which "
-                                      "would do nothing: leave it out of /effects, or choose another method",
+                          fmt::format("the substeps of '{}' have no place for '{}', which would do nothing: "
+                                      "remove it from /effects, or choose another method",
                                       scene.input.method.name(), pass.name)}});
   }
 }
@@ -398,7 +400,7 @@ BuiltScene build_scene(const Scene& stated) {
 
 std::string pass_name(const std::vector<Effect>& effects, std::size_t index) {
   const EffectKind& kind = effects[index].kind();
-  const auto same = [&](const Effect& each) { return &each.kind() == &kind; };
+  const auto same = [&](const Effect& effect) { return &effect.kind() == &kind; };
   if (std::ranges::count_if(effects, same) == 1) return std::string(kind.name);
   const auto before = effects.begin() + static_cast<std::ptrdiff_t>(index);
   return fmt::format("{} {}", kind.name, 1 + std::count_if(effects.begin(), before, same));

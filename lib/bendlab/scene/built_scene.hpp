@@ -1,5 +1,5 @@
-// From a scene to what a solver takes: mesh, pins, masses, constraints, effects. Composes the rooms of the
-// library, which do not know each other.
+// Builds what a solver needs from a scene: mesh, pins, masses, constraints, effects. This joins the folders
+// of the library, which do not know each other.
 #pragma once
 
 #include <filesystem>
@@ -30,28 +30,28 @@ struct BuiltScene {
   std::vector<std::string> mesh_notes{};  ///< what was done about a bad mesh
   Pins pins{};
   std::vector<BendingFact> bending_facts;
-  std::optional<PushBound> push{};  ///< for springs that push: how much the solver can hold
+  std::optional<PushBound> push{};  ///< for springs that push: how large a push the solver can hold
   int springs_beyond_ring_1 = 0;    ///< distance constraints that are not edges of the mesh
   SimulationInput input;
   std::vector<Effect> effects;
   Precision precision = Precision::single_precision;
   Vector3 down = -Vector3::UnitZ();  ///< direction of gravity; -z where there is none
-  std::filesystem::path folder;      ///< of the scene
+  std::filesystem::path folder;      ///< folder of the scene
 };
 
-/// The rest mesh that a scene describes, generated, read or given, accepted by its policy for bad triangles,
-/// scaled. Throws MeshError (refused) and MeshFileError (unreadable).
+/// The rest mesh that a scene describes: generated, read from a file or given, accepted by the policy for bad
+/// triangles, and scaled. Throws MeshError (refused) and MeshFileError (unreadable).
 AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder);
 
-/// Builds a settled scene (rules.hpp). Throws MeshError, MeshFileError, and ConfigError for what does not go
-/// together.
+/// Builds a settled scene (rules.hpp). Throws MeshError, MeshFileError, and ConfigError for settings that
+/// contradict each other.
 BuiltScene build_scene(const Scene& scene);
 
-/// The name of an effect's passes in a run: its type, with a number if that is listed more than once.
+/// The name of an effect's passes in a run: its type, with a number if the type is listed more than once.
 std::string pass_name(const std::vector<Effect>& effects, std::size_t index);
 
-/// Indices in scene.effects of those that cannot change anything: idle by their settings, or without a pass
-/// in this scene.
+/// Indices in scene.effects of the effects that cannot change anything: idle by their settings, or without a
+/// pass in this scene.
 std::vector<std::size_t> idle_effects(const BuiltScene& scene);
 
 /// Whether an effect of the scene moves vertices itself, besides the constraints.

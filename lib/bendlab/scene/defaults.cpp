@@ -13,43 +13,47 @@
 namespace bendlab {
 namespace {
 
-// Settings that go together: a choice of /defaults. They change Scene{}.
+// A choice of /defaults: settings that go together, as a change of Scene{}.
 struct Recipe {
   std::string_view name;
   void (*change)(Scene&);
-  /// Its method and settings go together; else a config that names a method replaces them.
+  /// Whether the recipe's solver settings stay if the config names the recipe's own method. If false, a
+  /// config that names any method gets that method's own defaults.
   bool solves = true;
 };
 
-// quasi_newton and its own settings. What they were measured on is in configs/recommended.json.
+// quasi_newton with its own settings. configs/recommended.json has the scenes on which these settings were
+// measured.
 void recommended(Scene&) {}
 
-// The same cloth by projections. Coarse levels hold it together, whatever effects are listed.
+// The same cloth, simulated by projections. Coarse levels hold the cloth together, whatever effects are
+// listed.
 void projected(Scene& scene) {
   scene.solver.method = Pbd{.levels = 12};
 }
 
-// For a config that names no method, but states what only projections take: k, an effect that acts on
-// projections, a setting of pbd.
+// For a config that names no method, but states something that only projections use: k, an effect that acts
+// on projections, or a setting of pbd.
 void projected_k(Scene& scene) {
   projected(scene);
   scene.material.strain.stiffness = Stiffness::k;
 }
 
-// Sheets of 1 m on 64 cells that hang by one corner, two, and a side: 0.95 ms of CPU per frame, where the
-// paper's adaptive springs take 1.10; no triangle is ever stretched by more than 0.05, and they end within 2
-// % of where they should. None of the 238 runs of tests/foreign/scenes.py tears.
+// Measured on sheets of 1 m with 64 cells that hang by one corner, by two corners, and by a side. A frame
+// takes 0.95 ms of CPU time; with the paper's adaptive springs it takes 1.10 ms. No triangle is ever
+// stretched by more than 0.05, and the sheets end within 2 % of where they should. The cloth tears in none of
+// the 238 runs of tests/foreign/scenes.py.
 void fast(Scene& scene) {
   scene.solver.iterations = 2;
 }
 
-// Steps that are solved to their minimum, of second order in time.
+// Every step is solved to its minimum; the steps are of second order in time.
 void reference(Scene& scene) {
   scene.solver.method = Newton{};
   scene.solver.substeps = 4;
 }
 
-// The paper gives no numbers but those of its springs; ours for the rest are in configs/paper.
+// The paper gives numbers only for its springs; our numbers for everything else are in configs/paper.
 void paper(Scene& scene) {
   scene.pins.ring = 1;
   scene.material.strain.form = StrainForm::normalised;
@@ -75,7 +79,7 @@ bool is_k(const Json& settings, const std::string& pointer) {
   return value != nullptr && (*value == "k" || *value == "k_per_step");
 }
 
-// The kind that a setting names; null if it names none.
+// The kind that a setting names; null if the setting names no known kind.
 template <class Kind>
 const Kind* kind_at(const Json& settings, const std::string& pointer, const Kind* (*find)(std::string_view)) {
   const Json* const name = value_at(settings, pointer);
@@ -87,7 +91,8 @@ bool given(const Json& settings, std::string_view section, std::initializer_list
       names, [&](std::string_view name) { return is_given(settings, fmt::format("{}/{}", section, name)); });
 }
 
-// Whoever gives a membrane's number means that. Nothing if the config says how it is stiff, or nothing of it.
+// The kind of stiffness that a config means if it states a number of the membrane but not
+// /material/strain/stiffness. Nothing if it states the kind, or no number.
 std::optional<Stiffness> meant_membrane(const Json& settings) {
   if (value_at(settings, "/material/strain/stiffness") != nullptr) return std::nullopt;
   if (is_given(settings, "/material/strain/membrane_stiffness")) return Stiffness::physical;
@@ -96,7 +101,7 @@ std::optional<Stiffness> meant_membrane(const Json& settings) {
   return std::nullopt;
 }
 
-// Whether a config that names no method states what only a method that projects constraints takes.
+// Whether a config that names no method states something that only methods which project constraints use.
 bool asks_for_projection(const Json& settings) {
   if (is_k(settings, "/material/strain/stiffness") || meant_membrane(settings) == Stiffness::k ||
       is_k(settings, "/bending/stiffness") ||
@@ -119,16 +124,17 @@ bool asks_for_projection(const Json& settings) {
 
 const Recipe& recipe_of(const Json& settings) {
   const Json* const chosen = value_at(settings, "/defaults");
-  const auto found = std::ranges::find_if(recipes, [&](const Recipe& recipe) {
+  const auto named = std::ranges::find_if(recipes, [&](const Recipe& recipe) {
     return chosen != nullptr && *chosen == std::string(recipe.name);
   });
-  if (found != recipes.end() && found != recipes.begin()) return *found;
+  if (named != recipes.end() && named != recipes.begin()) return *named;
   if (value_at(settings, "/solver/method") == nullptr)
     return asks_for_projection(settings) ? by_projections_with_k : recipes.front();
   return kind_at(settings, "/solver/method", find_method) == &Pbd::kind ? by_projections : recipes.front();
 }
 
-// Whoever gives k means k, and whoever gives a compliance means that.
+// Without /bending/stiffness, the number that the config states decides: k means k, a compliance means
+// compliance.
 void choose_bending(const Json& settings, Bending& bending, ConfigProblems& problems) {
   const Json* const section = value_at(settings, "/bending");
   if (section == nullptr || !section->is_object() || section->contains("stiffness")) return;
@@ -136,7 +142,7 @@ void choose_bending(const Json& settings, Bending& bending, ConfigProblems& prob
              physical = given(settings, "/bending", {"flexural_rigidity", "quartic_coefficient"});
   if (k + compliance + physical > 1)
     problems.push_back({"/bending/stiffness",
-                        fmt::format("is missing, and {} are given: say which of them counts, as \"k\", "
+                        fmt::format("is missing, but {} are given: state which of them counts, as \"k\", "
                                     "\"k_per_step\", \"compliance\" or \"physical\"",
                                     !physical ? "k and compliance"
                                     : k       ? "k and a rigidity"
@@ -149,7 +155,8 @@ void choose_bending(const Json& settings, Bending& bending, ConfigProblems& prob
     bending.stiffness = Stiffness::physical;
 }
 
-// A rigidity is stated in one way, and the control has none.
+// Drops the default rigidity if the config states a quartic_coefficient instead, or if the model does not
+// bend (the control).
 void choose_rigidity(const Json& settings, Bending& bending) {
   const BendingKind* const model = kind_at(settings, "/bending/model", find_bending_model);
   const bool bends = model != nullptr ? model->bends : bending.model.kind().bends;

@@ -1,4 +1,4 @@
-// What a config gets that it does not state.
+// The defaults of a config: the scene from which it starts.
 #pragma once
 
 #include <array>
@@ -9,15 +9,16 @@
 
 namespace bendlab {
 
-/// Choices of /defaults. "recommended": those of Scene{}, measured in configs/recommended.json; for a config
-/// that states what only projections take (k, for example), projections with coarse levels. "fast": implicit
-/// steps of few iterations. "reference": converged implicit steps. "paper": those with which the paper is
-/// repeated.
+/// Choices of /defaults. "recommended": the settings of Scene{}, measured in configs/recommended.json; for a
+/// config that states a setting which only projections read (k, for example), projections with coarse levels.
+/// "fast": implicit steps with few iterations. "reference": converged implicit steps. "paper": settings that
+/// repeat the paper.
 inline constexpr std::array<std::string_view, 4> defaults_names = {"recommended", "fast", "reference",
                                                                    "paper"};
 
-/// The scene that the config `given` starts from: what it states is then put on top. A problem if it is
-/// unclear which of two stiffnesses it means. What is wrong in `given` otherwise is not looked at.
+/// The scene that the config `given` starts from; the caller then applies the settings that the config
+/// states. Appends a problem if it is unclear which of two stiffnesses the config means. Does not look for
+/// other mistakes in `given`.
 Scene scene_before(const Json& given, ConfigProblems& problems);
 
 }  // namespace bendlab

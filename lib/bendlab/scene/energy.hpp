@@ -1,11 +1,11 @@
-// The energies of a scene's cloth in J: kinetic, elastic, and of weight.
+// The energies of a scene's cloth in J: kinetic energy, elastic energy, and energy of weight.
 #pragma once
 
 #include "bendlab/scene/built_scene.hpp"
 
 namespace bendlab {
 
-/// Of strain and bending constraints with a compliance above 0; with k they have none.
+/// The energy of strain and bending constraints with a compliance above 0; constraints with k have no energy.
 double elastic_energy(const SimulationInput& input, const Positions& positions);
 
 /// Elastic energy plus energy of weight, which is 0 in the pose at the start.

@@ -23,8 +23,7 @@ std::string range_text(const Field& row) {
   return least + (low && high ? " and" : "") + most;
 }
 
-// Reads values of one row. Functions return nothing, and report it, where the JSON type or the range is
-// wrong.
+// Reads values of one row. If the JSON type or the range is wrong, functions report it and return nothing.
 class Reader {
  public:
   Reader(const Field& row, ConfigProblems& problems) : row_(row), problems_(problems) {}
@@ -74,7 +73,7 @@ class Reader {
   }
 
   std::optional<Value> read_integer(const Json& given, const std::string& pointer) {
-    constexpr double largest = 9007199254740992;  // 2⁵³: below it a double counts in ones
+    constexpr double largest = 9007199254740992;  // 2⁵³: below it a double holds every whole number
     if (!given.is_number()) return wrong(given, pointer);
     const double value = given.get<double>();
     if (!in_range(value) || std::abs(value) >= largest || value != std::floor(value))
@@ -111,7 +110,7 @@ class Reader {
   ConfigProblems& problems_;
 };
 
-// A pointer to a setting of that name in another section, for whoever wrote it in the wrong place.
+// Suggests the setting of that name in another section, if somebody wrote it in the wrong section.
 std::string setting_elsewhere(std::string_view key) {
   for (const Section& section : scene_sections())
     for (const SettingRow& row : section.rows)
@@ -177,14 +176,14 @@ void read_fields(const FieldTable& table, void* owner, const Json& given, const 
   for (const auto& [key, value] : given.items())
     if (std::ranges::find(allowed, key) == allowed.end()) report_unknown_key(key, pointer, allowed, problems);
   for (const Field& field : table.fields) {
-    const auto found = given.find(field.name);
+    const auto entry = given.find(field.name);
     const std::string place = child_pointer(pointer, field.name);
-    if (found == given.end()) {
+    if (entry == given.end()) {
       if (field.required)
         problems.push_back({place, fmt::format("is missing: expected {}", expected_text(field))});
       continue;
     }
-    const std::optional<Value> value = read_value(field, *found, place, problems);
+    const std::optional<Value> value = read_value(field, *entry, place, problems);
     if (value && !std::holds_alternative<std::monostate>(*value)) field.put(owner, *value);
   }
 }

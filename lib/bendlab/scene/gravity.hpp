@@ -8,10 +8,10 @@
 
 namespace bendlab {
 
-/// m/s²; zero if none of them is a uniform acceleration.
+/// The sum of the effects' uniform accelerations, m/s²; zero without such an effect.
 Vector3 gravity_of(const std::vector<Effect>& effects);
 
-/// Its direction; -z if there is none.
+/// The direction of gravity; -z if there is no gravity.
 Vector3 direction_of_gravity(const std::vector<Effect>& effects);
 
 }  // namespace bendlab

@@ -45,7 +45,7 @@ Positions creased(const RestMesh& rest, int creases) {
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double along = (positions(v, 0) - rest.box_min().x()) / column;
-    const double within = along - 2 * std::floor(0.5 * along);  // there and back takes 2
+    const double within = along - 2 * std::floor(0.5 * along);  // going there and back takes 2 columns
     positions(v, 0) = rest.centre().x() + (std::min(within, 2 - within) - 0.5) * column;
   }
   return positions;
@@ -96,7 +96,7 @@ Positions initial_positions(const Initial& initial, const RestMesh& rest, const 
     if (box > 0)
       positions.row(v) = rest.centre() + 0.5 * box * random;
     else
-      // Fused by name: a compiler that may choose would make another pose, by a rounding.
+      // std::fma by name: if the compiler may choose whether to fuse, the pose differs by a rounding.
       for (int i = 0; i < 3; ++i) positions(v, i) = std::fma(amplitude, random[i], positions(v, i));
   }
   return positions;

@@ -1,4 +1,4 @@
-// Cloth that starts inside an obstacle, from where the first step throws it out.
+// Finds cloth that starts inside an obstacle, from which the first step would throw it out.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 namespace bendlab {
 
 struct Inside {
-  int count;     ///< of vertices that the obstacle would move by more than a hundredth of the cloth's size
+  int count;     ///< vertices that the obstacle would move by more than a hundredth of the cloth's size
   int deepest;   ///< the vertex that it would move the farthest
-  double depth;  ///< by so much, m
+  double depth;  ///< how far the obstacle would move that vertex, m
 };
 
-/// Of the start, and the obstacle that is the effect at `index`; nothing if that is no obstacle.
+/// The cloth that starts inside the obstacle scene.effects[index]; nothing if that effect is not an obstacle.
 std::optional<Inside> inside_at_start(const BuiltScene& scene, std::size_t index);
 
 }  // namespace bendlab

@@ -5,7 +5,7 @@
 
 namespace bendlab {
 
-/// On one line. Bytes that are no UTF-8, as a file of others may have, become U+FFFD.
+/// The document on one line. Bytes that are not UTF-8, which a foreign file may have, become U+FFFD.
 template <class Document>
 std::string json_text(const Document& document) {
   return document.dump(-1, ' ', false, Document::error_handler_t::replace);

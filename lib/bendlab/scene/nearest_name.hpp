@@ -12,8 +12,8 @@ namespace bendlab {
 /// ignored (optimal string alignment).
 std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate with the smallest edit distance to `name` (the first of several), or "" if that is too far
-/// for a slip: more than 1 edit, and one more per four letters.
+/// The candidate with the smallest edit distance to `name` (ties go to the first), or "" if that candidate is
+/// too far away for a slip: more than 1 edit, and one more per four letters.
 template <class Names>
 std::string nearest_name(std::string_view name, const Names& candidates) {
   const auto distance = [&](std::string_view candidate) { return edit_distance(name, candidate); };
@@ -22,7 +22,7 @@ std::string nearest_name(std::string_view name, const Names& candidates) {
   return std::string(*nearest);
 }
 
-/// "; did you mean 'cells'?", or "" where nothing is near.
+/// "; did you mean 'cells'?", or "" if no candidate is near.
 template <class Names>
 std::string suggestion(std::string_view name, const Names& candidates) {
   const std::string nearest = nearest_name(name, candidates);

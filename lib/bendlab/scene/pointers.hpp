@@ -1,4 +1,4 @@
-// JSON pointers: how a value gets to its place.
+// JSON pointers: finding and setting the value at a pointer.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ bool lies_within(std::string_view pointer, std::string_view container);
 /// The value at `pointer`, or nullptr if there is none.
 const Json* value_at(const Json& document, const std::string& pointer);
 
-/// Puts a value at `pointer`, creating objects on the way. False, and nothing changed there, if the way leads
-/// through something that is no object or past the end of a list.
+/// Puts a value at `pointer`, creating objects on the way. Returns false, and changes nothing there, if the
+/// pointer leads through a value that is not an object, or past the end of a list.
 bool set_at(Json& document, const std::string& pointer, Json value);
 
 }  // namespace bendlab

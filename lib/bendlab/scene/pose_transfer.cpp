@@ -35,7 +35,7 @@ class Sheet {
     return std::nullopt;
   }
 
-  // Of the corners, by which they sum up to `point`; it may lie outside the triangle.
+  // The corners' weights whose weighted sum is `point`, which may lie outside the triangle.
   std::array<double, 3> weights(const std::array<int, 3>& corner, const Vector2& point) const {
     const auto flat = [&](std::size_t c) { return plane_[static_cast<std::size_t>(corner[c])]; };
     Eigen::Matrix2d sides;
@@ -51,25 +51,25 @@ class Sheet {
   Vector2 centre_ = Vector2::Zero();
 };
 
-// A vertex outside the other sheet finds no triangle there; this finds another sheet that is larger all
-// around.
+// A vertex outside the other sheet finds no triangle there, which is an error already. This check finds the
+// other case: a sheet `from` that is larger all around.
 void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane, const RestMesh& to,
                    const std::vector<Vector2>& to_plane) {
-  const Eigen::AlignedBox<double, 2> one = box_of(from_plane), other = box_of(to_plane);
+  const Eigen::AlignedBox<double, 2> from_box = box_of(from_plane), to_box = box_of(to_plane);
   const double allowed = 2 * std::max(from.mean_edge_length(), to.mean_edge_length());
-  const double apart = std::max((one.min() - other.min()).cwiseAbs().maxCoeff(),
-                                (one.max() - other.max()).cwiseAbs().maxCoeff());
+  const double apart = std::max((from_box.min() - to_box.min()).cwiseAbs().maxCoeff(),
+                                (from_box.max() - to_box.max()).cwiseAbs().maxCoeff());
   if (apart > allowed)
     throw std::invalid_argument(
-        fmt::format("the other mesh has another outline: the two end {:.3g} m apart, and at most two edge "
-                    "lengths ({:.3g} m) are allowed: give both the same extent",
+        fmt::format("the other mesh has another outline: the two outlines are {:.3g} m apart, and at most "
+                    "two edge lengths ({:.3g} m) are allowed: give both meshes the same extent",
                     apart, allowed));
 }
 
 }  // namespace
 
-bool same_rest_positions(const RestMesh& one, const RestMesh& other) {
-  return one.vertex_count() == other.vertex_count() && one.positions() == other.positions();
+bool same_rest_positions(const RestMesh& first, const RestMesh& second) {
+  return first.vertex_count() == second.vertex_count() && first.positions() == second.positions();
 }
 
 PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
@@ -77,16 +77,15 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
     throw std::invalid_argument(
-        "the meshes differ, and are not both meshes of the same flat sheet: give both runs one mesh, or two "
-        "of "
-        "one flat sheet");
+        "the meshes differ, and are not both meshes of the same flat sheet: give both runs the same mesh, or "
+        "two meshes of one flat sheet");
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);
     if (!corner)
       throw std::invalid_argument(
-          fmt::format("vertex {} lies outside the sheet of the other mesh: give both the same "
-                      "extent and place",
+          fmt::format("vertex {} lies outside the sheet of the other mesh: give both meshes the same extent "
+                      "and position",
                       v));
     places_.push_back({*corner, sheet.weights(*corner, points[v])});
   }

@@ -8,11 +8,12 @@
 
 namespace bendlab {
 
-/// Whether two meshes have the same vertices at the same places, to the bit.
-bool same_rest_positions(const RestMesh& one, const RestMesh& other);
+/// Whether two meshes have the same vertices at the same positions, to the bit.
+bool same_rest_positions(const RestMesh& first, const RestMesh& second);
 
-/// Interpolates linearly in the rest plane, and extrapolates linearly beyond the outline, which may differ by
-/// an edge or two. Between meshes with the same rest positions it changes no bit.
+/// Interpolates linearly in the rest plane, and extrapolates linearly beyond the outline; the two outlines
+/// may differ by an edge length or two. Between meshes with the same rest positions a pose is copied to the
+/// bit.
 class PoseTransfer {
  public:
   /// Throws std::invalid_argument if the meshes differ and are not meshes of the same flat sheet.
@@ -24,7 +25,7 @@ class PoseTransfer {
  private:
   struct Place {
     std::array<int, 3> corner;
-    std::array<double, 3> weight;  // sum 1; for a point outside the triangle some are negative
+    std::array<double, 3> weight;  // sum 1; outside the triangle there are negative weights
   };
   std::vector<Place> places_;  // #V of `to`; empty: the meshes are the same
 };

@@ -12,23 +12,24 @@
 namespace bendlab {
 
 bool RoundingSpeed::single_suffices() const {
-  // Sheets of 1.4 m, 0.2 kg and 12 cells on a plane, and on tethers, in single precision: with 16, 64, 256
-  // and 1024 substeps the ratio is 0.008, 0.13, 2 and 32, and at rest they still move at 0.008, 0.02, 0.1 and
-  // 0.3 mm/s (rms; in double they do not). Their positions and strains do not show it.
+  // Measured in single precision on sheets of 1.4 m, 0.2 kg and 12 cells, on a plane and on tethers. With 16,
+  // 64, 256 and 1024 substeps the ratio is 0.008, 0.13, 2 and 32, and sheets at rest still move at 0.008,
+  // 0.02, 0.1 and 0.3 mm/s (rms; in double precision they do not move). Positions and strains do not show
+  // this motion.
   constexpr double of_speeds = 10;
-  // Friction needs how far gravity pushes a vertex into an obstacle. A sheet of 1 m that slides down an
-  // incline gets 2 % too far or not far enough at 0.25, 7 % at 1, and 150 % at 4.
-  // At 0.85 and 0.98 of the static limit it slides at 0.06, with 6 or with one projection in a substep, and
-  // holds in double.
+  // Friction depends on how far gravity pushes a vertex into an obstacle. The way of a sheet of 1 m that
+  // slides down an incline is wrong by 2 % at a ratio of 0.25, by 7 % at 1, and by 150 % at 4. At 0.85 and
+  // 0.98 of the static limit the sheet slides at a ratio of 0.06, with 6 projections per substep or with 1,
+  // but holds in double precision.
   constexpr double of_friction = 0.01;
   return !matters || gained == 0 ||
          !(friction ? rounded * projections > of_friction * gained : rounded > of_speeds * gained);
 }
 
 bool RoundingSpeed::whole_suffices() const {
-  // A strip of known membrane stiffness, 1 m long, and cantilevers of 9 cm (three models, 12 and 24 cells)
-  // with rounded positions differ from double precision in elongation and drop by less than 0.0006 where the
-  // ratio is below 0.01; at 0.2 by 0.006.
+  // Measured with rounded positions on a strip of known membrane stiffness, 1 m long, and on cantilevers of 9
+  // cm (three models, 12 and 24 cells). Elongation and drop differ from double precision by less than 0.0006
+  // if the ratio is below 0.01, and by 0.006 at a ratio of 0.2.
   constexpr double most = 0.01;
   return rounded <= most * gained;
 }
@@ -59,10 +60,12 @@ RoundingStrain rounding_strain(const BuiltScene& scene) {
   const SimulationInput& input = scene.input;
   const MethodKind& method = input.method.kind();
   const double size = scene.rest.size(), compliance = input.strain_stiffness.compliance;
-  const auto sum = [](const std::vector<double>& some) { return std::reduce(some.begin(), some.end()); };
+  const auto sum = [](const std::vector<double>& values) {
+    return std::reduce(values.begin(), values.end());
+  };
   const double area_density = sum(input.mass) / sum(scene.rest.areas());
   const double stated = gravity_of(scene.effects).norm(), g = stated > 0 ? stated : 9.81;
-  // A membrane that is softened for an error is strained by more than a hundred roundings.
+  // If the method softens the membrane up to an allowed error, the strain is more than a hundred roundings.
   const bool softened =
       method.membrane_error != nullptr && method.membrane_error(input.method.settings()) > 0;
   return {.rounded = double{std::numeric_limits<float>::epsilon()} * size / scene.rest.mean_edge_length(),

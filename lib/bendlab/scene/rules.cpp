@@ -17,7 +17,7 @@
 namespace bendlab {
 namespace {
 
-// Along the sides that pins name: rows across a clamp lock the membrane.
+// Rows run along the sides that are pinned by name, because rows across a clamp lock the membrane.
 Rows rows_of_lattice(const Mesh& mesh, const Pinning& pins) {
   const auto names = [&](std::initializer_list<Place> sides) {
     return std::ranges::find_first_of(pins.vertices, sides) != pins.vertices.end();
@@ -27,7 +27,7 @@ Rows rows_of_lattice(const Mesh& mesh, const Pinning& pins) {
   return along_x == (mesh.width >= mesh.height) ? Rows::parallel : Rows::perpendicular;
 }
 
-// A ring of two vertices is no tube; a lattice of one triangle's width has no second row.
+// A ring of two vertices is not a tube; a lattice of one triangle's width has no second row.
 void check_cells(const Scene& scene, ConfigProblems& problems) {
   const Mesh& mesh = scene.mesh;
   if (mesh.file || mesh.given) return;
@@ -52,17 +52,17 @@ void check_springs_lie_flat(const Scene& scene, ConfigProblems& problems) {
                      fmt::join(models_of_hinges(), ", "))});
 }
 
-// A run has at least a step, and so few that they can be counted and waited for.
+// A run has at least one step, and not more steps than can be counted and waited for.
 void check_times(const Scene& scene, ConfigProblems& problems) {
   constexpr double most = 1e9, rounding = 1e-6;
   const double duration = scene.duration, dt = scene.solver.dt;
   if (duration < dt * (1 - rounding))
     problems.push_back(
-        {"/duration", fmt::format("is shorter than a step: {} s, and /solver/dt is {} s", duration, dt)});
+        {"/duration", fmt::format("is shorter than a step: {} s, but /solver/dt is {} s", duration, dt)});
   if (duration / dt > most)
     problems.push_back(
-        {"/duration",
-         fmt::format("is {:.3g} steps of /solver/dt, and a run has at most {:.3g}", duration / dt, most)});
+        {"/duration", fmt::format("is {:.3g} steps of /solver/dt, but a run may have at most {:.3g}",
+                                  duration / dt, most)});
 }
 
 void check_warp_direction(const Scene& scene, ConfigProblems& problems) {
@@ -70,7 +70,7 @@ void check_warp_direction(const Scene& scene, ConfigProblems& problems) {
     problems.push_back({"/material/warp_direction", "is the zero vector, which has no direction"});
 }
 
-// What a physical stiffness needs of each model.
+// Checks what a physical stiffness requires of the model.
 void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
   if (bending.stiffness != Stiffness::physical) return;
   const BendingKind& model = bending.model.kind();
@@ -78,16 +78,16 @@ void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model.name)});
   };
   if (model.springs_only && bending.deflection != Deflection::large)
-    report("deflection", "is for models made of hinges only: remove it for {}");
+    report("deflection", "applies only to models made of hinges: remove it for {}");
   if (!model.bends || !bending.quartic_coefficient) return;
   if (!model.springs_only || model.prestressed)
     report("quartic_coefficient",
-           "is for springs that are at rest in the flat sheet, and {} has none: give flexural_rigidity (in "
-           "N m)");
+           "applies only to springs that are at rest in the flat sheet, and {} has no such springs: state "
+           "flexural_rigidity (in N m) instead");
   else if (bending.flexural_rigidity)
     report("quartic_coefficient",
-           "is given, and flexural_rigidity too, but the springs of {} have one stiffness: remove one of the "
-           "two");
+           "is given, and flexural_rigidity, too, but the springs of {} have only one stiffness: remove one "
+           "of the two");
 }
 
 void check_repeats(const Scene& scene, ConfigProblems& problems) {
@@ -96,13 +96,13 @@ void check_repeats(const Scene& scene, ConfigProblems& problems) {
       if (const EffectKind& kind = scene.effects[i].kind();
           &kind == &scene.effects[j].kind() && !kind.repeatable) {
         problems.push_back({fmt::format("/effects/{}", i),
-                            fmt::format("effect \"{}\" is there already at /effects/{}; list each type once",
+                            fmt::format("effect \"{}\" is already listed at /effects/{}; list each type once",
                                         kind.name, j)});
         break;
       }
 }
 
-// Checks what a method needs.
+// Checks what the method requires.
 class MethodRules {
  public:
   MethodRules(const Scene& scene, ConfigProblems& problems)
@@ -119,8 +119,8 @@ class MethodRules {
       refuse_model();
     else if (method_.factorised == Factorised::scalars && model_.one_sided)
       report("/bending/model",
-             fmt::format("the force of {} jumps where it is straight, so that no constant matrix resembles "
-                         "it: choose the method newton, or another model",
+             fmt::format("the force of {} jumps where the cloth is straight, so that no constant matrix "
+                         "approximates it: choose the method newton, or another model",
                          model_.name));
     else if (!why.empty() && model_.bends)
       check_compliance("/bending", scene_.bending.stiffness, scene_.bending.compliance, why);
@@ -130,15 +130,15 @@ class MethodRules {
   }
 
  private:
-  // A coarse span knows no direction.
+  // The springs of coarse levels resist stretch in every direction alike.
   void check_all_directions() {
     const Strain& strain = scene_.material.strain;
     for (const auto& [name, k] :
          {std::pair{"warp", strain.warp}, {"weft", strain.weft}, {"shear", strain.shear}})
       if (k == 0)
         problems_.push_back({fmt::format("/material/strain/{}", name),
-                             "expected a number above 0 (because /solver/levels resist in every direction), "
-                             "got 0; 0 /solver/levels would do"});
+                             "expected a number above 0 (because the coarse levels of /solver/levels resist "
+                             "stretch in every direction), got 0; or set /solver/levels to 0"});
   }
 
   void report(const std::string& pointer, const std::string& message) {
@@ -156,16 +156,16 @@ class MethodRules {
       report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }
 
-  // Refuses effects that need projections. Those that only help them do nothing, but stay in the list: the
-  // others keep their places in it.
+  // Refuses effects that need projections. Effects that only help projections do nothing, but stay in the
+  // list, so that the other effects keep their indices.
   void check_projection_effects() {
     for (std::size_t i = 0; i < scene_.effects.size(); ++i)
       if (const EffectKind& effect = scene_.effects[i].kind();
           !takes(method_, effect) && !effect.helps_projection)
         report(
             fmt::format("/effects/{}", i),
-            fmt::format("{} acts between iterations, and this method does not take it: remove it, or choose "
-                        "one of {}",
+            fmt::format("{} acts between iterations, which this method does not support: remove the effect, "
+                        "or choose one of {}",
                         effect.name, fmt::join(takers_of(effect), ", ")));
   }
 
@@ -174,15 +174,15 @@ class MethodRules {
   }
   static std::vector<std::string_view> takers_of(const EffectKind& effect) {
     std::vector<std::string_view> takers;
-    for (const MethodKind* each : methods())
-      if (takes(*each, effect)) takers.push_back(each->name);
+    for (const MethodKind* method : methods())
+      if (takes(*method, effect)) takers.push_back(method->name);
     return takers;
   }
 
   void refuse_model() {
     std::vector<std::string_view> allowed;
-    for (const BendingKind* each : bending_models())
-      if (each->springs_only) allowed.push_back(each->name);
+    for (const BendingKind* model : bending_models())
+      if (model->springs_only) allowed.push_back(model->name);
     report("/bending/model",
            fmt::format("{} is not made of springs, but this method needs springs: choose one of {}",
                        model_.name, fmt::join(allowed, ", ")));
@@ -220,9 +220,9 @@ void check_stated(const Json& given, const Scene& scene, ConfigProblems& problem
     if (const std::string pointer = child_pointer(part.pointer, field.name);
         !field.is_kept(&scene) && value_at(given, pointer) != nullptr)
       problems.push_back({pointer,
-                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset, "
-                          "bad_triangles, refine, jitter and with that seed go with it): remove one of the "
-                          "two; to vary meshes, sweep or set /mesh as a whole"});
+                          "does not go with /mesh/file, which states the whole mesh (only scale, offset, "
+                          "bad_triangles, refine, jitter, and with jitter seed, go with a file): remove one "
+                          "of the two; to vary meshes, sweep or set /mesh as a whole"});
 }
 
 void check_scene(const Scene& scene, ConfigProblems& problems) {
@@ -256,8 +256,7 @@ void check_unread(const Scene& scene, ConfigProblems& problems) {
       if (field.is_kept(&scene) || value == part.table.default_of(field)) continue;
       problems.push_back(
           {child_pointer(part.pointer, field.name),
-           fmt::format("is {}, and nothing reads it beside the other settings: leave it at its "
-                       "default",
+           fmt::format("is {}, but nothing reads it, given the other settings: leave it at its default",
                        json_of(value).dump())});
     }
 }

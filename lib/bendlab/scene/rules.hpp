@@ -1,4 +1,4 @@
-// What goes together in a scene, and what follows from what.
+// Rules of a scene: which settings go together, and which settings follow from others.
 #pragma once
 
 #include "bendlab/scene/scene.hpp"
@@ -6,22 +6,23 @@
 
 namespace bendlab {
 
-/// Fills in what is absent and follows from other settings: rows of a lattice, substeps and iterations.
+/// Fills in absent settings that follow from other settings: rows of a lattice, substeps and iterations.
 void settle(Scene& scene);
 
-/// Appends what a config states and cannot mean: settings of a generator beside a mesh file.
+/// Appends a problem for each setting of a generator that a config states beside a mesh file.
 void check_stated(const Json& given, const Scene& scene, ConfigProblems& problems);
 
-/// Appends what does not go together in a settled scene. Each setting by itself is right.
+/// Appends a problem for settings of a settled scene that contradict each other. Each setting by itself is
+/// valid.
 void check_scene(const Scene& scene, ConfigProblems& problems);
 
-/// Appends settings out of their range, as a scene from C++ may have them.
+/// Appends a problem for each setting out of its range: a scene that was made in C++ may have such settings.
 void check_ranges(const Scene& scene, ConfigProblems& problems);
 
-/// Appends settings that differ from their defaults although nothing reads them.
+/// Appends a problem for each unread setting that differs from its default.
 void check_unread(const Scene& scene, ConfigProblems& problems);
 
-/// The method's substeps and iterations, those of a settled scene; 1 where it reads no such number.
+/// The substeps and iterations of a settled scene's solver; 1 if the method does not read the setting.
 int substeps_of(const Solver& solver);
 int iterations_of(const Solver& solver);
 

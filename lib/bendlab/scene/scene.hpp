@@ -1,6 +1,6 @@
-// A scene as a value: what a simulation is made from. Everything has a default, so that a Scene is a sheet of
-// 1 m that hangs from a corner. What each setting means is in scene_tables.cpp, and `bendlab schema` prints
-// it. The path to a member is its pointer in a config: scene.mesh.cells is /mesh/cells.
+// A scene as a value: all settings of a simulation. Every setting has a default: Scene{} is a sheet of 1 m
+// that hangs from a corner. scene_tables.cpp says what each setting means, and `bendlab schema` prints it.
+// The path to a member is its pointer in a config: scene.mesh.cells is /mesh/cells.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ struct Mesh {
   double width = 1, height = 1;     ///< along x and y
   int cells = 32;                   ///< along the width
   Diagonal diagonal = Diagonal::same;
-  std::optional<Rows> rows;  ///< absent: along the sides that pins name, else parallel
+  std::optional<Rows> rows;  ///< absent: along the sides that are pinned by name, else parallel
   double radius = 0.5;
-  std::optional<double> radius_top;  ///< absent: as radius
+  std::optional<double> radius_top;  ///< absent: equal to radius
   std::uint32_t seed = 1;
   std::optional<int> refine;
   std::optional<double> jitter;
@@ -40,7 +40,7 @@ struct Mesh {
   std::optional<std::uint32_t> shuffle;  ///< a seed
   std::string flaw = "none";
   BadTriangles bad_triangles = BadTriangles::refuse;
-  /// Instead of generator and file, from C++.
+  /// A mesh from C++, instead of generator and file.
   std::shared_ptr<const TriangleMesh> given;
 };
 
@@ -82,12 +82,12 @@ struct Bending {
   /// to 25 mm by ASTM D1388.
   std::optional<double> flexural_rigidity = 1e-5;
   std::optional<double> quartic_coefficient;  ///< N m³
-  /// 1/m: a fold of 5 cm radius, where springs, which have no one rigidity, get the stated one.
+  /// 1/m: a fold of 5 cm radius. At this curvature springs, whose rigidity varies, have the stated rigidity.
   std::optional<double> at_curvature = 20;
   Deflection deflection = Deflection::large;
 };
 
-/// Of a scene: automatic takes single where that suffices.
+/// The precision that a scene states; automatic takes single precision where it suffices.
 enum class ChosenPrecision { automatic, single_precision, double_precision };
 
 struct Solver {
@@ -105,11 +105,11 @@ struct Initial {
   int creases = 0;
   Vector3 scale{1, 1, 1};
   double tilt = 0;                      ///< degrees
-  double perturbation = 0, random = 0;  ///< of the size
+  double perturbation = 0, random = 0;  ///< relative to the mesh's size
   Vector3 velocity{0, 0, 0};            ///< m/s
   Vector3 spin{0, 0, 0};                ///< rad/s
   std::uint32_t seed = 1;
-  /// Changes, "/json/pointer=value", that make of this scene the one at whose end it starts.
+  /// Changes, each "/json/pointer=value", that turn this scene into the earlier scene at whose end it starts.
   std::optional<std::vector<std::string>> after;
 };
 
@@ -122,7 +122,7 @@ struct Scene {
   std::vector<Effect> effects{Gravity{}, ViscousDrag{}};
   Initial initial;
   double duration = 4;           ///< s, of a run
-  std::filesystem::path folder;  ///< files are relative to it; empty: to the working directory
+  std::filesystem::path folder;  ///< files are relative to it; empty: the working directory
 };
 
 /// A sheet of squares, each split by a diagonal: width by height (m), with `cells` squares along the width.

@@ -17,12 +17,12 @@ namespace {
 const Json& object_at(const Json& given, std::string_view key, const std::string& pointer,
                       ConfigProblems& problems) {
   static const Json nothing = Json::object();
-  const auto found = given.find(key);
-  if (found == given.end()) return nothing;
-  return is_object(*found, pointer, problems) ? *found : nothing;
+  const auto entry = given.find(key);
+  if (entry == given.end()) return nothing;
+  return is_object(*entry, pointer, problems) ? *entry : nothing;
 }
 
-// A member of a family with the settings that `given` has of its table.
+// A copy of `before`, with the settings that `given` states.
 template <class Kind>
 Chosen<Kind> chosen(const Chosen<Kind>& before, const Json& given, const std::string& pointer,
                     std::span<const std::string_view> other_keys, ConfigProblems& problems) {
@@ -31,7 +31,7 @@ Chosen<Kind> chosen(const Chosen<Kind>& before, const Json& given, const std::st
   return {before.kind(), std::move(settings)};
 }
 
-// Settings of another member of the family do nothing, but have to be right.
+// Settings of a member of the family that is not chosen do nothing, but have to be valid.
 template <class Kind>
 void check_other(const Kind& kind, const Json& given, const std::string& pointer, ConfigProblems& problems) {
   const std::shared_ptr<void> settings = kind.settings.copy(kind.settings.defaults());
@@ -41,10 +41,10 @@ void check_other(const Kind& kind, const Json& given, const std::string& pointer
 template <class Kind>
 const Kind* named_kind(const SettingRow& row, const Json& given, const std::string& pointer,
                        const Kind* (*find)(std::string_view), ConfigProblems& problems) {
-  const auto found = given.find(row.field.name);
-  if (found == given.end()) return nullptr;
+  const auto entry = given.find(row.field.name);
+  if (entry == given.end()) return nullptr;
   const std::optional<Value> name =
-      read_value(row.field, *found, child_pointer(pointer, row.field.name), problems);
+      read_value(row.field, *entry, child_pointer(pointer, row.field.name), problems);
   return name ? find(std::get<std::string>(*name)) : nullptr;
 }
 
@@ -58,19 +58,19 @@ void read_bending(const Part& part, Bending& bending, const Json& given, ConfigP
   if (const BendingKind* model = named_kind(choice, given, pointer, find_bending_model, problems);
       model != nullptr && model != &bending.model.kind())
     bending.model = BendingModel(*model);
-  std::vector<std::string_view> others = {choice.field.name};
+  std::vector<std::string_view> other_keys = {choice.field.name};
   for (const BendingKind* model : bending_models())
-    if (!model->settings.fields.empty()) others.push_back(model->name);
-  read_fields(part.table, &bending, given, pointer, others, problems);
+    if (!model->settings.fields.empty()) other_keys.push_back(model->name);
+  read_fields(part.table, &bending, given, pointer, other_keys, problems);
   for (const BendingKind* model : bending_models()) {
-    const auto found = given.find(model->name);
-    if (model->settings.fields.empty() || found == given.end()) continue;
+    const auto entry = given.find(model->name);
+    if (model->settings.fields.empty() || entry == given.end()) continue;
     const std::string own = child_pointer(pointer, model->name);
-    if (!is_object(*found, own, problems)) continue;
+    if (!is_object(*entry, own, problems)) continue;
     if (model == &bending.model.kind())
-      bending.model = chosen(bending.model, *found, own, {}, problems);
+      bending.model = chosen(bending.model, *entry, own, {}, problems);
     else
-      check_other(*model, *found, own, problems);
+      check_other(*model, *entry, own, problems);
   }
 }
 
@@ -80,27 +80,27 @@ void read_solver(const Part& part, Solver& solver, const Json& given, ConfigProb
   if (const MethodKind* method = named_kind(rows.front(), given, pointer, find_method, problems);
       method != nullptr && method != &solver.method.kind())
     solver.method = Method(*method);
-  std::vector<std::string_view> others;
+  std::vector<std::string_view> other_keys;
   for (const SettingRow& row : rows)
-    if (part.table.find(row.field.name) == nullptr) others.push_back(row.field.name);
-  read_fields(part.table, &solver, given, pointer, others, problems);
-  // Own settings of the method, and after them those of others.
+    if (part.table.find(row.field.name) == nullptr) other_keys.push_back(row.field.name);
+  read_fields(part.table, &solver, given, pointer, other_keys, problems);
+  // Collects the method's own settings; settings of other methods only have to be valid.
   const FieldTable& own = solver.method.kind().settings;
   Json of_own = Json::object();
   for (const SettingRow& row : rows) {
-    const auto found = given.find(row.field.name);
-    if (found == given.end() || row.field.name == rows.front().field.name ||
+    const auto entry = given.find(row.field.name);
+    if (entry == given.end() || row.field.name == rows.front().field.name ||
         part.table.find(row.field.name) != nullptr)
       continue;
     if (own.find(row.field.name) != nullptr)
-      of_own[std::string(row.field.name)] = *found;
+      of_own[std::string(row.field.name)] = *entry;
     else
-      read_value(row.field, *found, child_pointer(pointer, row.field.name), problems);
+      read_value(row.field, *entry, child_pointer(pointer, row.field.name), problems);
   }
   solver.method = chosen(solver.method, of_own, pointer, {}, problems);
 }
 
-// One entry of `effects`; nothing where its type is not known.
+// One entry of `effects`; nothing if its type is not known.
 std::optional<Effect> read_effect(const Json& given, const std::string& pointer, ConfigProblems& problems) {
   if (!is_object(given, pointer, problems)) return std::nullopt;
   const SettingRow& type = effect_type_row();
@@ -123,7 +123,7 @@ void read_effects(std::vector<Effect>& effects, const Json& given, ConfigProblem
   constexpr std::size_t most = 1000;
   if (given.size() > most) {
     problems.push_back(
-        {"/effects", fmt::format("has {} entries, and at most {} are read", given.size(), most)});
+        {"/effects", fmt::format("has {} entries, but at most {} are allowed", given.size(), most)});
     return;
   }
   for (std::size_t i = 0; i < given.size(); ++i)

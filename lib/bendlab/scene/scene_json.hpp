@@ -1,4 +1,4 @@
-// A scene from JSON, and as JSON.
+// Reads a scene from JSON, and writes it as JSON.
 #pragma once
 
 #include <span>
@@ -10,18 +10,20 @@
 
 namespace bendlab {
 
-/// Reads what a config states on top of its defaults. `other_keys` of the top level are the caller's. Appends
-/// everything that is wrong, what does not go together included; then the scene is meaningless.
+/// Reads a config: the settings that it states replace its defaults. Ignores `other_keys` of the top level,
+/// which the caller reads. Appends everything that is wrong, including settings that contradict each other;
+/// if there is a problem, the scene is meaningless.
 Scene read_scene(const Json& given, std::span<const std::string_view> other_keys, ConfigProblems& problems);
 
-/// The scene's settings in canonical order: only those that are read, only the chosen model's and method's
-/// own. Equal physics gives equal JSON. read_scene() of it gives the same scene.
+/// The scene's settings in canonical order. Unread settings, and own settings of models and methods that are
+/// not chosen, are left out. Equal physics gives equal JSON. read_scene() of this JSON gives the same scene.
 Json to_json(const Scene& scene);
 
-/// The list of effects: {"type": name, settings} each.
+/// The list of effects, each as {"type": name, settings}.
 Json effects_json(const Scene& scene);
 
-/// The effects of a config that lists none: gravity, and but for the paper's the drag of air.
+/// The effects of a config without a list of effects: gravity and, except with the paper's defaults, the drag
+/// of air.
 Json default_effects(const Json& given);
 
 }  // namespace bendlab

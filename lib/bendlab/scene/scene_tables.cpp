@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 3> chosen_precision_names = {"auto", "sin
 
 constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
 
-// ---- when a setting is read. Canonical settings also keep numbers of other choices (kept_when): runs that
-// differ in a choice differ in nothing else.
+// ---- When a setting is read. Canonical settings also keep numbers that belong to other choices (kept_when),
+// so that runs which differ in a choice differ in nothing else.
 
 template <Generator... any>
 constexpr auto generated_by = read_when<Scene>([](const Scene& s) {
@@ -67,18 +67,18 @@ constexpr auto has_precisions =
 
 constexpr std::string_view stiffness_meaning =
     "How stiffness is given. k: the share of a constraint's error that one projection removes; k_per_step: "
-    "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); "
-    "compliance: inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: k where "
-    "warp, weft, shear or area is given, compliance where that is, else as /defaults says";
+    "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); compliance: "
+    "inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: k if warp, weft, shear "
+    "or area is given, compliance if compliance is given, else as /defaults says";
 
 constexpr std::string_view bending_stiffness_meaning =
     "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
     "flexural_rigidity or quartic_coefficient below, for which each constraint gets its own compliance from "
-    "the mesh. Absent: k where k is given, compliance where that is, else physical";
+    "the mesh. Absent: k if k is given, compliance if compliance is given, else physical";
 
-// Formatted by hand, to be read as tables.
+// Formatted by hand, so that they can be read as tables.
 // clang-format off
-// Not constexpr: the flaws' names come from the mesh room.
+// Not constexpr, because mesh_flaws() gives the flaws' names.
 const std::array mesh = {
     field<&Mesh::generator>({.name = "generator",
               .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
@@ -122,23 +122,24 @@ const std::array mesh = {
               .minimum = 0, .above = true, .read_when = generated_by<Generator::tube>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::seed>({.name = "seed", .unit = "1",
-              .meaning = "delaunay: seed of the random points; with jitter: of the moves",
+              .meaning = "delaunay: seed of the random points; with jitter: seed of the moves",
               .minimum = 0, .maximum = seed_limit, .read_when = makes_at_random, .kept_when = may_seed_mesh}),
     field<&Mesh::refine>({.name = "refine", .unit = "1",
-              .meaning = "Each triangle is cut into four at the middles of its edges, so many times, also of "
-                         "a mesh from a file. Vertices keep their numbers, the border its shape and curved "
-                         "meshes their facets; texture coordinates are interpolated. Absent: not at all",
+              .meaning = "How many times each triangle is cut into four at the middles of its edges, also in "
+                         "a mesh from a file. Vertices keep their indices, the border keeps its shape, and "
+                         "curved meshes keep their facets; texture coordinates are interpolated. Absent: not "
+                         "refined",
               .minimum = 0, .maximum = 12}),
     field<&Mesh::jitter>({.name = "jitter", .unit = "1",
-              .meaning = "Each vertex inside is moved at random within the sheet, by at most this share of "
-                         "the smallest height of its triangles, also of a mesh from a file and after "
-                         "refine; seed chooses the moves. Absent: not at all",
+              .meaning = "Each vertex that is not on the border is moved at random within the sheet, by at "
+                         "most this share of the smallest height of its triangles, also in a mesh from a "
+                         "file. jitter comes after refine; seed chooses the moves. Absent: no moves",
               .minimum = 0, .maximum = 0.4}),
     field<&Mesh::scale>({.name = "scale", .unit = "1",
-              .meaning = "Factor on all coordinates, also of a mesh from a file",
+              .meaning = "Factor on all coordinates, also those of a mesh from a file",
               .minimum = 0, .above = true}),
     field<&Mesh::offset>({.name = "offset", .unit = "m",
-              .meaning = "Added to all coordinates after scale, also of a mesh from a file"}),
+              .meaning = "Added to all coordinates after scale, also to those of a mesh from a file"}),
     field<&Mesh::shuffle>({.name = "shuffle", .unit = "1",
               .meaning = "Seed of a random numbering of vertices and triangles; absent: the generator's "
                          "numbering",
@@ -152,30 +153,29 @@ const std::array mesh = {
               .choices = mesh_flaws(), .read_when = generated}),
     field<&Mesh::bad_triangles>({.name = "bad_triangles",
               .meaning = "What to do with a mesh that has triangles without area, triangles listed twice, or "
-                         "edges of three triangles. refuse: the run fails and names the first ones; "
+                         "edges of three triangles. refuse: the run fails and names the first bad triangles; "
                          "regularise: simulate the mesh as it is, with a small rest height for triangles "
                          "without area; membrane_off: the same, but those triangles have no strain "
-                         "constraint; repair: unite points within 2e-6 of the mesh size, "
-                         "remove triangles without area, cut the "
-                         "sheet where it branches, orient all triangles alike. 'bendlab mesh FILE' says "
-                         "what each does to a file",
+                         "constraint; repair: unite points within 2e-6 of the mesh size, remove triangles "
+                         "without area, cut the sheet where it branches, orient all triangles alike. "
+                         "'bendlab mesh FILE' says what each choice does to a file",
               .choices = bad_triangles_names}),
 };
 
 constexpr std::array pins = {
       field<&Pinning::vertices>({.name = "vertices",
                 .meaning = "Pinned places by name: corners, sides and centre of the rest mesh's box in the "
-                           "x-y plane, or of a sheet that stands, where z is up; top_rim and bottom_rim: "
-                           "the ends of a tube; circle: the ring of vertices at a quarter of the smaller "
-                           "side from the centre; interior: four vertices at 0.3 and 0.7 of both sides",
+                           "x-y plane; in a sheet that stands, z is up; top_rim and bottom_rim: the ends of "
+                           "a tube; circle: the ring of vertices at a quarter of the smaller side from the "
+                           "centre; interior: four vertices at 0.3 and 0.7 of both sides",
                 .choices = place_names}),
       field<&Pinning::indices>({.name = "indices", .unit = "1",
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "
-                           "those of vertices",
+                           "the vertices named in vertices",
                 .minimum = 0}),
       field<&Pinning::ring>({.name = "ring", .unit = "1",
-                .meaning = "How many rings of neighbours of each pinned vertex are pinned too; 0: none. The "
-                           "paper pins one ring, a clamp that shrinks as the mesh is refined",
+                .meaning = "How many rings of neighbours around each pinned vertex are pinned, too; 0: none. "
+                           "The paper pins one ring, a clamp that shrinks as the mesh is refined",
                 .minimum = 0, .maximum = 64}),
       field<&Pinning::distance>({.name = "distance", .unit = "m",
                 .meaning = "Vertices within this distance of a pinned place are pinned too: a clamp of the "
@@ -210,9 +210,9 @@ constexpr std::array strain = {
     field<&Strain::stiffness>({.name = "stiffness",
               .meaning = stiffness_meaning, .choices = stiffness_names}),
     field<&Strain::membrane_stiffness>({.name = "membrane_stiffness", .unit = "N/m",
-              .meaning = "physical: Young's modulus times thickness, the force per width that stretches "
-                         "warp or weft, or shears, by 1. At 10000 1 m of 0.2 kg/m² strains by 10⁻⁴ under "
-                         "its weight",
+              .meaning = "physical: Young's modulus times thickness, the force per width that stretches warp "
+                         "or weft, or shears, by 1. At 10000 N/m a sheet of 1 m and 0.2 kg/m² strains by "
+                         "10⁻⁴ under its weight",
               .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
               .depends_on = on_strain_stiffness}),
     field<&Strain::warp>({.name = "warp", .unit = "1",
@@ -225,7 +225,7 @@ constexpr std::array strain = {
               .meaning = "k of shear",
               .minimum = 0, .maximum = 1, .read_when = has_triangles}),
     field<&Strain::area>({.name = "area", .unit = "1",
-              .meaning = "k of a triangle's area; 0: no such constraint",
+              .meaning = "k of a triangle's area; 0: no area constraint",
               .minimum = 0, .maximum = 1, .read_when = has_triangles}),
     field<&Strain::compliance>({.name = "compliance", .unit = "m/N",
               .meaning = "Compliance of every strain constraint, used if stiffness is compliance; 0 is rigid",
@@ -246,8 +246,8 @@ constexpr std::array bending = {
                 .minimum = 0, .read_when = bends_by<Stiffness::compliance>, .kept_when = bends_by_number,
                 .depends_on = on_bending_stiffness}),
       field<&Bending::flexural_rigidity>({.name = "flexural_rigidity", .unit = "N m",
-                .meaning = "physical: B of the moment B κ per width at curvature κ; springs have it at "
-                           "at_curvature only. Not in force where quartic_coefficient is given alone",
+                .meaning = "physical: B of the moment B κ per width at curvature κ; springs have this B only "
+                           "at the curvature at_curvature. Not used if only quartic_coefficient is given",
                 .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
                 .depends_on = on_bending_stiffness}),
       field<&Bending::quartic_coefficient>({.name = "quartic_coefficient", .unit = "N m³",
@@ -265,8 +265,8 @@ constexpr std::array bending = {
                            "large: the membrane forces the sheet to a cylinder, as in drapes and folds; "
                            "small: the sheet is bent so little that its membrane does not matter; both: "
                            "between the two, with hinge weights that make them differ as little as the mesh "
-                           "allows. The summary says what share of it the sheet has at small and at large "
-                           "deflections",
+                           "allows. The summary says which share of flexural_rigidity the sheet has at small "
+                           "and at large deflections",
                 .choices = deflection_names, .read_when = is_of_hinges}),
 };
 
@@ -283,14 +283,15 @@ constexpr std::array solver = {
                          "number, see `bendlab methods`",
               .minimum = 1, .maximum = 100000, .read_when = counts_iterations}),
     field<&Solver::precision>({.name = "precision",
-              .meaning = "Precision of the solver's numbers. auto: single, but double if an effect moves "
-                         "vertices itself (an obstacle, tethers, …) and what gravity adds to a speed in a "
-                         "substep h is too small for single precision (g h against the rounding of a "
-                         "position over h), or if quasi_newton has a membrane whose strain under its "
-                         "weight a rounded position hides; the run's provenance says which was used",
+              .meaning = "Precision of the solver's numbers. auto: single, but double in two cases. First, "
+                         "an effect moves vertices itself (an obstacle, tethers, …), and the speed g h that "
+                         "gravity adds in a substep h is too small for single precision, compared with the "
+                         "rounding of a position divided by h. Second, quasi_newton has a membrane whose "
+                         "strain under its weight is hidden by the rounding of positions. The run's "
+                         "provenance says which precision was used",
               .choices = chosen_precision_names, .read_when = has_precisions}),
     field<&Solver::threads>({.name = "threads", .unit = "1",
-              .meaning = "Threads of one run; their number does not change a bit of the result",
+              .meaning = "Threads of one run; the number of threads does not change a bit of the result",
               .minimum = 1, .maximum = 256}),
 };
 
@@ -330,14 +331,15 @@ constexpr std::array initial = {
               .meaning = "Seed of perturbation and random",
               .minimum = 0, .maximum = seed_limit, .read_when = starts_at_random, .kept_when = always}),
     field<&Initial::after>({.name = "after",
-              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into an earlier one; the "
-                         "cloth starts at rest where that one ends. It may have a coarser mesh of the same "
-                         "flat sheet, for example, or another method, and is not recorded"}),
+              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into an earlier run; the "
+                         "cloth starts at rest where the earlier run ends. The earlier run may have a "
+                         "coarser mesh of the same flat sheet, for example, or another method. It is not "
+                         "recorded"}),
 };
 
 constexpr std::array top = {
     field<&Scene::duration>({.name = "duration", .unit = "s",
-              .meaning = "Simulated time of each run; at least a step. It is rounded up to whole steps of "
+              .meaning = "Simulated time of each run, at least one step. It is rounded up to whole steps of "
                          "/solver/dt",
               .minimum = 0, .above = true}),
 };
@@ -387,7 +389,7 @@ SettingRow model_row() {
 }
 
 SettingRow type_row() {
-  return choice_row("type", "Which effect", made_of_kinds<effect_names>(), std::nullopt);
+  return choice_row("type", "Type of the effect", made_of_kinds<effect_names>(), std::nullopt);
 }
 
 Section section_of(std::string pointer, std::string meaning, const FieldTable& table,
@@ -398,12 +400,14 @@ Section section_of(std::string pointer, std::string meaning, const FieldTable& t
   return section;
 }
 
-// A model's settings stand in /bending beside those that all models share.
+// The section of a model's own settings stands in /bending beside the settings that all models share, so its
+// name must differ from theirs.
 void check_names_of_added_models() {
   for (const BendingKind* model : added_bending_models())
     if (std::ranges::find(bending, model->name, &Field::name) != bending.end() || model->name == "model")
       throw std::invalid_argument(
-          fmt::format("the bending model '{}' has the name of a setting, /bending/{}; choose another name",
+          fmt::format("the bending model '{}' has the same name as the setting /bending/{}; choose another "
+                      "name",
                       model->name, model->name));
 }
 

@@ -1,4 +1,5 @@
-// Every setting of a scene, row by row: what parses configs, writes them and prints the reference.
+// The tables of all settings of a scene. Their rows parse configs, write configs, and print the reference of
+// settings.
 #pragma once
 
 #include <span>
@@ -10,15 +11,15 @@
 
 namespace bendlab {
 
-/// A struct of the scene: its pointer in a config, what it is for, and its rows.
+/// A struct of the scene: its pointer in a config, its meaning, and its rows.
 struct Part {
   std::string_view pointer, meaning;
   FieldTable table;
-  const void* (*in)(const Scene& scene);  ///< where it is
+  const void* (*in)(const Scene& scene);  ///< the struct in a scene
 };
 
-/// "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver" and "/initial". What chooses a
-/// member of a family, and that one's own settings, are not in their tables.
+/// "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver" and "/initial". The tables do not
+/// hold the settings that choose a bending model or a method, nor the own settings of models and methods.
 std::span<const Part> scene_parts();
 
 /// The scene's own settings: "/duration".
@@ -27,7 +28,7 @@ const FieldTable& scene_table();
 /// A row of the reference: a setting and its default.
 struct SettingRow {
   Field field;
-  Value usual;  ///< `std::monostate`: none
+  Value usual;  ///< `std::monostate`: no default
 };
 
 /// A JSON object of a config, with all settings that it may have.
@@ -44,7 +45,7 @@ std::span<const Section> scene_sections();
 /// The `type` of an entry of `effects`; its other settings are the effect's own.
 const SettingRow& effect_type_row();
 
-/// The choices of the setting `field.depends_on` with which a scene reads the setting.
+/// The choices of the setting `field.depends_on` with which a scene reads the setting `field`.
 std::vector<std::string_view> choices_that_read(const Field& field);
 
 /// The rows of a table with their defaults.

@@ -26,13 +26,13 @@ class Cloth {
   Simulation& simulation() { return *simulation_; }
 
  private:
-  std::unique_ptr<BuiltScene> scene_;  // where the simulation may refer to it
+  std::unique_ptr<BuiltScene> scene_;  // on the heap, because the simulation may refer to it
   std::unique_ptr<Simulation> simulation_;
 };
 
 /// Builds a scene and starts it: defaults that depend on other settings are filled in, and Initial::after is
-/// simulated. Throws ConfigError with everything that is wrong (values out of range, settings that nothing
-/// reads, what does not go together), and what build_scene() does.
+/// simulated. Throws ConfigError with everything that is wrong (values out of range, unread settings,
+/// settings that contradict each other), and what build_scene() throws.
 Cloth simulate(Scene scene);
 
 }  // namespace bendlab

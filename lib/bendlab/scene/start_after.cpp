@@ -14,20 +14,20 @@ namespace {
 
 constexpr const char* pointer = "/initial/after";
 
-// Where the scene ends.
+// The positions at the end of the scene.
 Positions end_of(const Scene& scene, const BuiltScene& built, const std::atomic<bool>* stop) {
   const std::int64_t steps = step_count(scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(built);
   for (std::int64_t step = 0; step < steps && !simulation->settled(); ++step) {
     if (stop && stop->load(std::memory_order_relaxed)) break;
     if (!simulation->step())
-      throw std::runtime_error(fmt::format("{}: the run before this one diverged at t = {:.6g} s", pointer,
+      throw std::runtime_error(fmt::format("{}: the earlier run diverged at t = {:.6g} s", pointer,
                                            simulation->divergence().time));
   }
   return simulation->positions();
 }
 
-// Puts "/json/pointer=value" into the settings; a value that is no JSON is a text.
+// Puts "/json/pointer=value" into the settings; a value that is not JSON is read as a text.
 void change(Json& settings, const std::string& text, ConfigProblems& problems) try {
   const std::size_t equals = text.find('=');
   const std::string place = text.substr(0, equals);
@@ -38,9 +38,9 @@ void change(Json& settings, const std::string& text, ConfigProblems& problems) t
   ConfigProblems no_json;
   const std::optional<Json> value = read_strict_json(text.substr(equals + 1), no_json);
   if (!set_at(settings, place, no_json.empty() && value ? *value : Json(text.substr(equals + 1))))
-    problems.push_back({place, "there is no such place in the scene"});
+    problems.push_back({place, "the scene has no such setting"});
 } catch (const Json::parse_error&) {
-  problems.push_back({"", fmt::format("'{}': the part before '=' is no JSON pointer", text)});
+  problems.push_back({"", fmt::format("'{}': the part before '=' is not a JSON pointer", text)});
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::optional<Scene> earlier_scene(const Scene& scene) {
   ConfigProblems problems;
   for (const std::string& text : *scene.initial.after) change(settings, text, problems);
   Scene earlier = read_scene(settings, {}, problems);
-  if (!problems.empty()) throw ConfigError("the run before", std::move(problems));
+  if (!problems.empty()) throw ConfigError("the earlier run", std::move(problems));
   earlier.folder = scene.folder;
   return earlier;
 }

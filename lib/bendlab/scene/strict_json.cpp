@@ -13,16 +13,17 @@ namespace bendlab {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;  // a config needs 5; dump() recurses and would overflow the stack
-constexpr std::size_t most_keys = 1000;  // of an object: all settings have 200; each is looked for among all
+constexpr std::size_t most_keys = 1000;  // of an object: all settings have 200; a key is looked up linearly
 
 std::string error_text(std::string_view source, const ConfigProblems& problems) {
-  constexpr std::size_t shown = 100;
+  constexpr std::size_t most_listed = 100;
   std::string text = fmt::format("{}: {}", source, counted(problems.size(), "problem"));
-  // std::views would be shorter; clang 14, which builds the fuzzers on Debian 12, cannot read libstdc++'s.
-  for (const ConfigProblem& problem : std::span(problems).first(std::min(shown, problems.size())))
+  // std::views would be shorter, but clang 14, which builds the fuzzers on Debian 12, cannot compile
+  // libstdc++'s version.
+  for (const ConfigProblem& problem : std::span(problems).first(std::min(most_listed, problems.size())))
     text +=
         fmt::format("\n  {}: {}", problem.pointer.empty() ? "(top level)" : problem.pointer, problem.message);
-  if (problems.size() > shown) text += fmt::format("\n  and {} more", problems.size() - shown);
+  if (problems.size() > most_listed) text += fmt::format("\n  and {} more", problems.size() - most_listed);
   return text;
 }
 
@@ -68,14 +69,14 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     if (++level.keys > most_keys) {
       problems_.push_back(
           {pointer(levels_.size() - 1),
-           fmt::format("has more than {} keys, and an object has at most as many", most_keys)});
+           fmt::format("has more than {} keys, the most that an object may have", most_keys)});
       return false;
     }
     level.key = name;
     level.duplicate = level.container->contains(name);
     if (level.duplicate)
       problems_.push_back({child_pointer(pointer(levels_.size() - 1), name),
-                           "the key is there twice in its object; keep one of the two"});
+                           "the object has this key twice; keep one of the two"});
     return true;
   }
 
@@ -97,17 +98,17 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
  private:
   struct Level {
     Json* container;
-    std::string key;         // of the value to come, in an object
+    std::string key;         // of the next value, in an object
     bool duplicate = false;  // that value is read and dropped
     std::size_t keys = 0;    // so far
   };
 
-  // Pointer to the value that is open, or to come, in level `depth - 1` (depth 0: the document itself).
+  // Pointer to the open or next value in levels_[depth - 1] (depth 0: the document itself).
   std::string pointer(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {
       const Level& level = levels_[i];
-      const std::size_t open_inside = i + 1 < levels_.size() ? 1 : 0;  // already in the list
+      const std::size_t open_inside = i + 1 < levels_.size() ? 1 : 0;  // the open value is in the list
       result = child_pointer(result, level.container->is_array()
                                          ? std::to_string(level.container->size() - open_inside)
                                          : level.key);
@@ -153,7 +154,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 }  // namespace
 
 std::string child_pointer(std::string_view parent, std::string_view key) {
-  std::string pointer(parent);  // RFC 6901; for every setting of thousands of runs
+  std::string pointer(parent);  // RFC 6901; fast, because thousands of runs call it for every setting
   pointer += '/';
   for (const char c : key)
     if (c == '~')

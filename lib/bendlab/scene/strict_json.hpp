@@ -1,4 +1,5 @@
-// Strict JSON, and how everything wrong with a config is reported: each problem with its place, all at once.
+// Strict JSON, and the report of everything that is wrong with a config: all problems at once, each with its
+// place.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,7 +13,7 @@ namespace bendlab {
 
 using Json = nlohmann::ordered_json;
 
-/// One thing wrong with a config.
+/// A mistake in a config.
 struct ConfigProblem {
   std::string pointer;  ///< JSON pointer to the offending value; "" is the config as a whole
   std::string message;  ///< what is wrong, what is allowed, the nearest name
@@ -25,7 +26,7 @@ using ConfigProblems = std::vector<ConfigProblem>;
 /// Pointer to `key` of the object (or entry of the list) at `parent`, escaped.
 std::string child_pointer(std::string_view parent, std::string_view key);
 
-/// What was given, short enough for a message.
+/// A JSON value as a text that is short enough for an error message.
 std::string given_text(const Json& given);
 
 /// All problems of a config at once; what() lists them line by line. Exit code 3.
@@ -39,12 +40,12 @@ class ConfigError : public std::runtime_error {
 };
 
 /// Reads JSON that must be UTF-8 without byte order mark, without duplicate keys, comments, non-finite
-/// numbers or text after its end, and nested at most 64 deep. Appends what is wrong to `problems`: text that
-/// is not JSON with line and column, and then there is no document; a duplicate key with its pointer (the
-/// first one counts, so that the rest can be checked too).
+/// numbers or text after its end, and nested at most 64 deep. Appends what is wrong to `problems`. Text that
+/// is not JSON is reported with line and column, and there is no document. A duplicate key is reported with
+/// its pointer; its first value counts, so that the rest can be checked, too.
 std::optional<Json> read_strict_json(std::string_view text, ConfigProblems& problems);
 
-/// The same for a caller with nothing further to check. Throws ConfigError.
+/// The same for a caller that checks nothing else. Throws ConfigError.
 Json parse_strict_json(std::string_view text, std::string_view source_name);
 
 }  // namespace bendlab

@@ -15,22 +15,23 @@
 namespace bendlab {
 namespace {
 
-constexpr double level_edges = 1.7;   // mean edges of the mesh, doubled from level to level: less than two
-                                      // sides of a square, whose diagonals count, too
-constexpr double longest_span = 1.6;  // least distances of points: joins the diagonals of a square
+// The least distance of the finest level's points, in mean edges of the mesh; it doubles from level to level.
+// It is less than two sides of a square, because the diagonals of squares count as edges, too.
+constexpr double level_edges = 1.7;
+constexpr double longest_span = 1.6;  // in least distances of points: joins the diagonals of a square
 constexpr int fewest_points = 6;
-constexpr int coarsest_sweeps = 8;  // there a sweep costs next to nothing
-// Spans and triangles resist together. Spans are so much softer that they add little where the triangles
-// converge.
+constexpr int coarsest_sweeps = 8;  // a sweep over the coarsest level costs next to nothing
+// Spans and triangles resist together. Spans are this much softer, so that they add little where the
+// triangles converge.
 constexpr double span_softness = 64;
 constexpr std::size_t worthwhile_lanes = 2048, worthwhile_points = 16384;  // about 10 µs of one thread
 
-// What the membrane must resist for a span to be right.
+// Spans resist stretch in every direction, so the membrane must do so, too.
 void expect_all_directions(const StrainStiffness& strain) {
   if (strain.warp > 0 && strain.weft > 0 && strain.shear > 0) return;
   throw std::invalid_argument(
-      "levels need a membrane that resists warp, weft and shear: a coarse span knows no direction; set "
-      "/solver/levels to 0, or all of them above 0 in /material/strain");
+      "levels need a membrane that resists warp, weft and shear, because coarse spans resist in every "
+      "direction. Set /solver/levels to 0, or warp, weft and shear in /material/strain above 0");
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ struct CoarseLevels<Real>::Builder {
   const SimulationInput& input;
   RestMesh rest;
   GeodesicDiscs discs;
-  std::vector<int> finer;  // vertices of the points of the level before: of the cloth, first
+  std::vector<int> finer;  // vertices of the next finer level's points; of the cloth at first
   std::vector<double> finer_mass;
 
   explicit Builder(const SimulationInput& of)
@@ -67,8 +68,9 @@ struct CoarseLevels<Real>::Builder {
     return input.permutation.empty() ? v : input.permutation[static_cast<std::size_t>(v)];
   }
 
-  // Points at least `apart` from each other, so that no vertex is farther than that from the nearest. Pinned
-  // ones come first: what hangs on a pin has to know where it is. `at`: each vertex's point, or -1.
+  // Points at least `apart` from each other, such that no vertex is farther than `apart` from the nearest
+  // point. Pinned vertices are chosen first, because the cloth that hangs from a pin needs its position.
+  // `at`: the point at each vertex, or -1.
   struct Sample {
     std::vector<int> points, at;
     DistanceConstraints spans;
@@ -112,7 +114,7 @@ struct CoarseLevels<Real>::Builder {
     Level level;
     const auto count = sample.points.size();
     level.base.resize(count + dummy_points), level.moved = level.taken = level.base;
-    // By the hats that pass moves on, so that they keep momentum.
+    // Hats spread masses as they spread moves, so that moves keep momentum.
     std::vector<double> mass(count);
     for (std::size_t p = 0; p < finer.size(); ++p)
       if (is_free(finer[p]))

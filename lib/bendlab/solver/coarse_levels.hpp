@@ -1,5 +1,6 @@
-// Coarse levels of a cloth, for position-based dynamics. A projection passes a correction on by one edge, so
-// that a fine mesh needs many of them before its lower end knows of its pins. Levels carry it far:
+// Coarse levels of a cloth, for position-based dynamics. A projection passes a correction on by one edge
+// only, so a fine mesh needs many projections until the pins affect its lower end. Coarse levels carry
+// corrections far:
 //
 //   level 2    o---------------o      per iteration, from the coarsest level on:
 //               \               \       take the points' positions from the cloth
@@ -7,12 +8,12 @@
 //               \       \       \        shorten the spans that are too long
 //   the cloth  o---o---o---o---o       then the cloth's own constraints
 //
-// The points of a level are vertices about twice as far apart as those of the level below. A span joins
-// neighbours. It is slack until it is longer than the way between them through the cloth at rest: no shape
-// that the cloth can take without stretching is longer than that, folded or not, so a span never asks for
-// what the cloth's own constraints would refuse. (A coarse mesh that keeps its own lengths and angles would:
-// it moves a folded cloth away from rest, Müller 2008.) A move spreads to the finer points by hats that reach
-// as far as points are apart; they sum to 1.
+// The points of a coarse level are vertices, about twice as far apart as the points of the next finer level.
+// A span joins two neighbouring points. It is slack up to the length of the way between them through the
+// cloth at rest. While the cloth does not stretch, folded or not, no two points are farther apart than that,
+// so spans never contradict the cloth's own constraints. (A coarse mesh that keeps its own lengths and angles
+// does contradict them: it moves a folded cloth away from rest, Müller 2008.) A move spreads to the finer
+// points by hat functions, which reach as far as points are apart and sum to 1.
 #pragma once
 
 #include <vector>
@@ -23,21 +24,22 @@
 
 namespace bendlab {
 
-/// Whether there are fewer substeps than edges across the cloth. More of them reach everywhere alone, and
-/// with levels gained energy: 0.04 to 0.4 of its scale in plain scenes of 6 to 24 cells in 64 substeps.
+/// Whether there are fewer substeps than edges across the cloth. With more substeps, corrections reach
+/// everywhere without levels, and with levels the cloth gained energy: 0.04 to 0.4 of its energy scale in
+/// plain scenes of 6 to 24 cells in 64 substeps.
 bool levels_are_worthwhile(const SimulationInput& input);
 
 template <class Real>
 class CoarseLevels {
  public:
-  /// At most so many levels, fewer if a mesh has no more than a few vertices to an edge of its coarsest.
-  /// Spans have the stiffness of input.strain_stiffness. Throws std::invalid_argument if the membrane does
-  /// not resist stretch in all directions: spans would.
+  /// Makes up to `most_levels` levels, and stops before a level with too few points. The stiffness of spans
+  /// follows from input.strain_stiffness. Throws std::invalid_argument if the membrane does not resist
+  /// stretch in all directions, as spans do.
   CoarseLevels(const SimulationInput& input, int most_levels);
 
-  /// Forgets what spans pulled so far: at the start of a substep.
+  /// Sets the multipliers of all spans to 0. To be called at the start of a substep.
   void begin_substep();
-  /// Moves the cloth's free points, with `cloth` in the order of input.permutation; h in s.
+  /// Moves the cloth's free points. `cloth` is in the order of input.permutation; h in s.
   void correct(const Places<Real>& cloth, Real h, Workers& workers);
 
   std::size_t count() const { return levels_.size(); }
@@ -45,20 +47,20 @@ class CoarseLevels {
   std::size_t memory_bytes() const;
 
  private:
-  // What a point of the finer level takes of its neighbours' moves.
+  // The share of a coarse point's move that a point of the finer level takes.
   struct Hat {
     int point;
     Real share;
   };
   struct Hats {
-    std::vector<std::size_t> first;  // by finer point, then the number of hats
+    std::vector<std::size_t> first;  // the first hat of each finer point, then the number of hats
     std::vector<Hat> all;
   };
   struct Level {
-    std::vector<int> slot;            // of each point in the cloth
-    Points<Real> base, moved, taken;  // places, and what was taken over from the cloth
+    std::vector<int> slot;            // of each point in the cloth's arrays
+    Points<Real> base, moved, taken;  // see Places; taken: `moved` as the cloth had it
     DistanceBatch<Real> spans;
-    Hats hats;  // at the finer level's points, or at the cloth's
+    Hats hats;  // of the points of the next finer level, or of the cloth
   };
   struct Builder;
 

@@ -19,8 +19,8 @@ class UsedColours {
       : words_(static_cast<std::size_t>(colours / 64 + 1)),
         bits_(static_cast<std::size_t>(vertex_count) * words_, 0) {}
 
-  // The first colour that none of the vertices has used; from now on all of them use it. -1: there is no room
-  // for it.
+  // Returns the first colour that none of the vertices has used, and marks it as used by all of them. -1:
+  // there is no room for another colour.
   int take_first_free(std::span<const int> vertices) {
     for (std::size_t word = 0; word < words_; ++word) {
       std::uint64_t used = 0;
@@ -56,24 +56,24 @@ int largest_degree(std::span<const int> vertices, int vertex_count) {
   return degree.empty() ? 0 : *std::max_element(degree.begin(), degree.end());
 }
 
-// Springs that follow one another at one centre. Longer stars save more memory traffic (a fifth of the time
-// at 30) but converge worse, because a centre that moves thirty times in a row leaves its neighbours behind:
-// at m = 4 the sheet's mean strain after as many iterations is 3 to 4 times larger. With four, convergence is
-// as good as with single springs.
+// The most springs of a star. Longer stars save more memory traffic (a fifth of the time with 30 springs) but
+// converge worse, because a centre that moves thirty times in a row leaves its neighbours behind: with m = 4
+// of the adaptive model (springs to four rings), the sheet's mean strain after equally many iterations is 3
+// to 4 times larger. With four springs, convergence is as good as with single springs.
 constexpr std::size_t star_length = 4;
 
 std::size_t padded(std::size_t count) {
   return (count + group_size - 1) / group_size * group_size;
 }
 
-// Colours with one group per stack: lanes [0, 16), [16, 32), …
+// Makes each group of lanes a stack: [0, 16), [16, 32), …
 void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
   for (std::size_t lane = 0; lane <= order.first.size(); lane += group_size) order.stacks.push_back(lane);
   for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / group_size);
 }
 
 // Pairs as stars: up to star_length pairs with the same first vertex, the centre. Stars are numbered centre
-// by centre, and a centre's begin with its last pairs in the list.
+// by centre. The first star of a centre has the centre's last pairs in the list.
 class Stars {
  public:
   Stars(const PairList& pairs, int vertex_count)
@@ -100,7 +100,7 @@ class Stars {
         visit_star(visit, centre, rank);
   }
 
-  // The same: the first star of every centre, then the second of every centre, …
+  // The same in another order: the first star of every centre, then the second star of every centre, …
   template <class Visit>
   void for_each_by_rank(Visit visit) const {
     for (std::size_t rank = 0; rank < most_; ++rank)
@@ -113,7 +113,7 @@ class Stars {
     return pairs_.second(at_place_.empty() ? place : static_cast<std::size_t>(at_place_[place]));
   }
 
-  // The index in the list of the pair at each place; empty if that is the place.
+  // The index in the list of the pair at each place; empty if place and index are equal.
   std::vector<int> take_places() { return std::move(at_place_); }
 
  private:
@@ -126,7 +126,7 @@ class Stars {
           std::min(star_length, pairs_at(centre) - done));
   }
 
-  // Places that hold the pairs of one centre after another, each centre's in list order.
+  // Fills at_place_: the pairs centre by centre, and in list order within a centre.
   void group() {
     at_place_.resize(pairs_.size());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
@@ -137,8 +137,8 @@ class Stars {
   const PairList& pairs_;
   std::size_t vertices_;
   std::vector<std::size_t> begin_;       // the first place of each centre
-  std::vector<std::size_t> first_star_;  // of each centre
-  std::size_t most_ = 0;                 // stars of a centre
+  std::vector<std::size_t> first_star_;  // of each centre, then the number of stars
+  std::size_t most_ = 0;                 // the most stars of a centre
   std::vector<int> at_place_;
 };
 
@@ -160,8 +160,8 @@ std::vector<int> coloured(const Stars& stars, int vertex_count) {
   return colours;
 }
 
-// Where each colour begins if all are numbered colour by colour, each colour padded to whole groups; then the
-// count.
+// Where each colour begins if constraints are numbered colour by colour, with each colour padded to whole
+// groups; then the total count.
 std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
   std::vector<std::size_t> sizes;
   for (const int colour : colours) {
@@ -173,12 +173,13 @@ std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
   return first;
 }
 
-// Stars of one length share a stack without padding, but only within a neighbourhood: a stack that spans
-// the mesh could not be tiled. Stars [begin, end) are a colour's; those of one length stay in the order of
-// their centres, and those without pairs, which fill the last stack, stay its last.
+// Sorts the stars [begin, end) of a colour by length, so that stars of equal length share a stack without
+// padding. It sorts within neighbourhoods only: a stack that spans the mesh could not be tiled. Stars of
+// equal length stay in the order of their centres. Stars without pairs, which fill the last stack, stay its
+// last.
 void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::size_t end) {
   constexpr std::size_t neighbourhood =
-      64 * group_size;  // a partly filled stack wastes 1 in 128 of its lanes
+      64 * group_size;  // a partly filled stack wastes 1 in 128 of the lanes
   std::vector<std::pair<int, std::uint8_t>> stars;
   for (std::size_t first = begin; first < end; first += neighbourhood) {
     stars.clear();
@@ -223,7 +224,7 @@ BatchOrder star_order(const PairList& pairs, int vertex_count) {
   for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour)
     sort_by_length_where_they_are(order, colour_begin[colour], colour_begin[colour + 1]);
   for (const std::size_t lane : colour_begin) order.colours.push_back(lane / group_size);
-  // A stack is as long as its first star, its longest.
+  // A stack is as long as its first star, which is its longest.
   order.stacks.reserve(order.first.size() / group_size + 1);
   order.stacks.push_back(0);
   for (std::size_t at = 0; at < order.first.size(); at += group_size)

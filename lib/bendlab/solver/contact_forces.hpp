@@ -1,29 +1,32 @@
 // Obstacles, layers of cloth and friction as forces of an implicit step.
 //
-// The passes of a contact say where each vertex would have to be, P(x). P(x) - x is the push of obstacles,
-// d n, and that of other layers, l. Both act as stiff springs,
+// The contact passes move each vertex from x to where it should be, P(x). P(x) - x is the push of obstacles,
+// d n, plus the push of other layers, l. Both act as stiff springs,
 //
-//   f = κ (d n + l),   of stiffness κ n nᵀ + κ l lᵀ / l²,   κ = a w + b m
+//   f = κ (d n + l),   with stiffness κ n nᵀ + κ l lᵀ / l²,   κ = a w + b m
 //
-// with the weight w of inertia and the mass m: vertices that carry their own weight sink in equally, and do
-// not strain the cloth, and layers push each other with the same force, as their passes keep momentum. Pushes
-// that are not in State::contacts and do not keep it are of obstacles, too, without friction.
-// Friction holds a vertex against its slip s, the way in the plane across n that it went with respect to the
-// obstacle in this substep:
+// with the weight w of inertia and the mass m. So vertices that carry their own weight sink in equally, and
+// do not strain the cloth. Layers push each other with equal forces, because their passes keep momentum.
+// Pushes that are not in State::contacts and do not keep momentum count as pushes of obstacles, without
+// friction.
+// Friction acts against the slip s of a vertex. The slip is the move of the vertex relative to the obstacle
+// in this substep, in the plane perpendicular to n:
 //
-//   f_t = -k s,   k = κ where it holds, else min(κ, μ N / |s|)
+//   f_t = -k s,   k = κ where friction holds, else min(κ, μ N / |s|)
 //
-// That is Coulomb's law: at its limit μ N if it slides, else what a stiff spring holds, whose slip is taken
-// back at the end. In the matrix of an iteration k is taken as it is at the present s, so that iterations of
-// a Newton method lower what they minimise (each has the curvature of a parabola that lies above: Hunter and
-// Lange 2004, §3). Friction holds if that takes no more than μ N. N is (κ + w) d, because what the vertex
-// sinks in is taken back at the end; of this or the last iteration, whichever is less: where a vertex has
-// just sunk in it is far too large. μ is μ_s where friction holds, μ_k where it slides.
+// This is Coulomb's law. Friction on a sliding vertex is at its limit, μ N. A vertex that friction holds
+// hangs on a stiff spring, and its slip is removed at the end of the substep. The matrix of an iteration has
+// the k of the present s, so that iterations of a Newton method lower the function that they minimise (its
+// curvature is then that of a parabola above it: Hunter and Lange 2004, §3). Friction holds if that takes a
+// force of at most μ N. N is (κ + w) d, because the depth d is removed at the end of the substep. The smaller
+// N of this and the last iteration is used: where a vertex has just sunk in, N is far too large. μ is μ_s
+// where friction holds, μ_k where the vertex slides.
 //
-// Two rules make iterations converge. What an obstacle pushed it pushes until the vertex leaves the plane of
-// the last push: on a curved obstacle a move across n leaves the surface, but not the plane. And what gives
-// way in the later half of the iterations holds again only where its spring alone is within the limit: else
-// holding and sliding would take turns, as the force that it takes to hold leaves out the cloth beside it.
+// Two rules make iterations converge. First, an obstacle that has pushed a vertex pushes it until the vertex
+// leaves the plane of the last push: on a curved obstacle, a move perpendicular to n leaves the surface, but
+// not the plane. Second, a vertex that starts to slide in the later half of the iterations is held again only
+// if the force of its spring alone is within the limit. Else holding and sliding would alternate, because the
+// estimate of the holding force leaves out the cloth beside the vertex.
 #pragma once
 
 #include <Eigen/Core>
@@ -44,38 +47,39 @@ class ContactForces {
   using Matrix = Eigen::Matrix<Real, 3, 3>;
 
   ContactForces() = default;
-  /// a, and b in N/m per kg.
+  /// `per_weight` is a (1), `per_mass` is b (N/m per kg).
   ContactForces(double per_weight, double per_mass)
       : per_weight_(static_cast<Real>(per_weight)), per_mass_(static_cast<Real>(per_mass)) {}
 
-  /// For so many slots.
+  /// Makes room for that many slots.
   void resize(std::size_t slots) { before_.resize(slots), contacts_.resize(slots); }
   bool in_use() const { return !contacts_.empty(); }
 
-  /// Before the passes change positions.
+  /// To be called before the passes change positions.
   void remember(State<Real>& state) {
     before_ = state.position;
     state.contacts.clear();
   }
 
-  /// Takes what the passes changed back, as forces. `weights`: #V. Obstacles have filled State::contacts.
+  /// Restores the positions and turns the changes by the passes into forces. `weights`: w, #V. Obstacles have
+  /// filled State::contacts.
   void push(State<Real>& state, const std::vector<Real>& weights, bool is_first_iteration) {
-    std::swap(state.position, before_);  // before_ is P(x) for a moment
-    for (One& one : contacts_) one.pushed = one.carried = Vector::Zero();
+    std::swap(state.position, before_);  // until the end of push(), before_ is P(x)
+    for (VertexContact& vertex : contacts_) vertex.pushed = vertex.carried = Vector::Zero();
     for (const Contact<Real>& contact : state.contacts) {
-      One& one = contacts_[contact.vertex];
-      one.pushed += contact.depth * contact.normal, one.carried += contact.depth * contact.carried;
+      VertexContact& vertex = contacts_[contact.vertex];
+      vertex.pushed += contact.depth * contact.normal, vertex.carried += contact.depth * contact.carried;
     }
     state.contacts.clear();
-    Vector momentum = Vector::Zero();  // times the substep
+    Vector momentum = Vector::Zero();  // Σ m l, the momentum of layers times the substep
     Real moved = 0;
     for (std::size_t v = 0; v < weights.size(); ++v) {
-      One& one = contacts_[v];
-      if (is_first_iteration) one.start();
+      VertexContact& vertex = contacts_[v];
+      if (is_first_iteration) vertex.start();
       if (!(weights[v] > 0)) continue;
-      one.find_layers(state.position[v].vector(), before_[v].vector());
+      vertex.find_layers(state.position[v].vector(), before_[v].vector());
       const auto mass = static_cast<Real>(state.mass[v]);
-      momentum += mass * one.layers, moved += mass * one.layers.norm();
+      momentum += mass * vertex.layers, moved += mass * vertex.layers.norm();
     }
     constexpr Real rounded = Real(1e-3);
     const bool among_layers = momentum.norm() <= rounded * moved;
@@ -87,75 +91,78 @@ class ContactForces {
     before_ = state.position;
   }
 
-  /// Friction on what obstacles push. Returns on how many vertices it acts.
+  /// Finds the friction of vertices that obstacles push. Returns on how many vertices it acts.
   std::uint64_t grip(const State<Real>& state, const FrictionCoefficients& friction, bool decides_late) {
     if (!in_use()) return 0;
     std::uint64_t gripped = 0;
     decided_ = true;
     for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v) {
-      One& one = contacts_[v];
-      if (!(one.depth > 0) || !one.by_obstacle) continue;
-      const Vector last_slip = one.slip;
-      one.slip = one.across(state.position[v].vector() - state.previous[v].vector() - one.with);
-      const Real length = one.slip.norm();
-      const bool held_before = one.holds;
-      // What held in the last substep does so until there is a force to compare with.
-      if (const Real carries = std::min(one.carried_force, one.earlier); carries > 0) {
+      VertexContact& vertex = contacts_[v];
+      if (!(vertex.depth > 0) || !vertex.by_obstacle) continue;
+      const Vector last_slip = vertex.slip;
+      vertex.slip = vertex.across(state.position[v].vector() - state.previous[v].vector() - vertex.with);
+      const Real length = vertex.slip.norm();
+      const bool held_before = vertex.holds;
+      // A vertex that friction held in the last substep stays held until there is a force to compare with.
+      if (const Real carries = std::min(vertex.carried_force, vertex.earlier); carries > 0) {
         const Real most = static_cast<Real>(friction.at_rest) * carries,
                    sliding = static_cast<Real>(friction.sliding) * carries;
-        one.limit = sliding;
-        // What it takes to hold it: the force that acted in the last iteration, and its inertia. That leaves
-        // out its neighbours: what gave way once holds only where the spring alone is within its limit.
-        // What holds gives way only if it was beyond its limit before, too: else those that hold and those
-        // that slide may change places for ever, as each takes a part of the others' load.
-        const bool within = ((one.gave_way ? one.stiffness : one.last_grip) + one.inertia) * length <= most;
-        one.holds = within || (held_before && !one.was_beyond);
-        one.was_beyond = held_before && !within;
-        one.gave_way |= decides_late && held_before && !one.holds;
-        one.grip = one.holds || !(length > 0) ? one.stiffness : std::min(one.stiffness, sliding / length);
-        // While it slides farther with every iteration, only its direction is held against.
-        if (!decides_late && !one.holds && one.grip < one.stiffness &&
-            one.slip.dot(last_slip) > last_slip.squaredNorm())
-          one.slides_along = one.slip / length;
+        vertex.limit = sliding;
+        // The force to hold a vertex is estimated by the friction of the last iteration plus inertia. This
+        // leaves out the neighbours, so a vertex that gave way once is held again only if the spring alone is
+        // within its limit. A held vertex gives way only if it was beyond its limit in the last iteration,
+        // too. Else held and sliding vertices may swap roles for ever, because a held vertex takes load off
+        // the sliding vertices beside it.
+        const bool within =
+            ((vertex.gave_way ? vertex.stiffness : vertex.last_grip) + vertex.inertia) * length <= most;
+        vertex.holds = within || (held_before && !vertex.was_beyond);
+        vertex.was_beyond = held_before && !within;
+        vertex.gave_way |= decides_late && held_before && !vertex.holds;
+        vertex.grip =
+            vertex.holds || !(length > 0) ? vertex.stiffness : std::min(vertex.stiffness, sliding / length);
+        // While the vertex slides farther with every iteration, the matrix has no stiffness along its slip.
+        if (!decides_late && !vertex.holds && vertex.grip < vertex.stiffness &&
+            vertex.slip.dot(last_slip) > last_slip.squaredNorm())
+          vertex.slides_along = vertex.slip / length;
       } else {
-        one.grip = one.holds ? one.stiffness : Real(0);
+        vertex.grip = vertex.holds ? vertex.stiffness : Real(0);
       }
-      gripped += one.grip > 0 ? 1 : 0;
-      decided_ = decided_ && one.holds == held_before && !one.was_beyond;
+      gripped += vertex.grip > 0 ? 1 : 0;
+      decided_ = decided_ && vertex.holds == held_before && !vertex.was_beyond;
     }
     return gripped;
   }
 
-  /// At the end of a substep: takes back what springs of friction let slip that holds.
+  /// Removes the slip of the vertices that friction holds. To be called at the end of a substep.
   void hold(State<Real>& state) const {
     for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v)
-      if (const One& one = contacts_[v]; one.holds && one.depth > 0) {
+      if (const VertexContact& vertex = contacts_[v]; vertex.holds && vertex.depth > 0) {
         Point<Real>& p = state.position[v];
-        p.set(p.vector() - one.across(one.slip + p.vector() - one.at));
+        p.set(p.vector() - vertex.across(vertex.slip + p.vector() - vertex.at));
       }
   }
 
-  /// Whether the last iteration changed nothing about which vertices friction holds.
+  /// Whether the last iteration held the same vertices as the iteration before it.
   bool decided() const { return decided_; }
   bool touched(std::size_t v) const { return contacts_[v].touched; }  ///< in this substep
-  /// The velocity of what was pushed in this substep: `own`, that of the substep, along the push of an
-  /// obstacle, and all of it where friction holds; else `kept`.
+  /// The velocity of a vertex that was pushed in this substep. It is `own`, the velocity of this substep
+  /// alone, where friction holds; else `own` along the push of an obstacle, and `kept` in other directions.
   Vector velocity(std::size_t v, const Vector& own, const Vector& kept) const {
-    const One& one = contacts_[v];
-    if (one.holds) return own;
-    return kept + one.normal.dot(own - kept) * one.normal;
+    const VertexContact& vertex = contacts_[v];
+    if (vertex.holds) return own;
+    return kept + vertex.normal.dot(own - kept) * vertex.normal;
   }
   bool pushes(std::size_t v) const {  ///< in this iteration
     return contacts_[v].depth > 0 || contacts_[v].layers.squaredNorm() > 0;
   }
   /// f + f_t, N, where the iteration began.
   Vector force(std::size_t v) const {
-    const One& one = contacts_[v];
-    return obstacle_force(v) + one.stiffness * one.layers;
+    const VertexContact& vertex = contacts_[v];
+    return obstacle_force(v) + vertex.stiffness * vertex.layers;
   }
   Vector obstacle_force(std::size_t v) const {
-    const One& one = contacts_[v];
-    return one.stiffness * one.depth * one.normal - one.grip * one.slip;
+    const VertexContact& vertex = contacts_[v];
+    return vertex.stiffness * vertex.depth * vertex.normal - vertex.grip * vertex.slip;
   }
   /// The same to first order at another position of the vertex.
   Vector force_at(std::size_t v, const Vector& position) const {
@@ -166,38 +173,43 @@ class ContactForces {
   }
   /// N/m.
   Matrix stiffness(std::size_t v) const {
-    const One& one = contacts_[v];
+    const VertexContact& vertex = contacts_[v];
     Matrix whole = obstacle_stiffness(v);
-    if (const Real l = one.layers.squaredNorm(); l > 0)
-      whole += one.stiffness / l * one.layers * one.layers.transpose();
+    if (const Real l = vertex.layers.squaredNorm(); l > 0)
+      whole += vertex.stiffness / l * vertex.layers * vertex.layers.transpose();
     return whole;
   }
   /// κ n nᵀ + k (1 - n nᵀ), N/m.
   Matrix obstacle_stiffness(std::size_t v) const {
-    const One& one = contacts_[v];
-    if (!(one.depth > 0)) return Matrix::Zero();
-    return one.grip * (Matrix::Identity() - one.slides_along * one.slides_along.transpose()) +
-           (one.stiffness - one.grip) * one.normal * one.normal.transpose();
+    const VertexContact& vertex = contacts_[v];
+    if (!(vertex.depth > 0)) return Matrix::Zero();
+    return vertex.grip * (Matrix::Identity() - vertex.slides_along * vertex.slides_along.transpose()) +
+           (vertex.stiffness - vertex.grip) * vertex.normal * vertex.normal.transpose();
   }
-  /// What is left of a vertex' other forces at a position: those along pushes are carried, and friction
-  /// holds.
+  /// The part of `force`, the sum of a vertex's other forces, that contacts do not carry at a position.
+  /// Pushes carry the part along them, and friction carries its share.
   Vector along(std::size_t v, const Vector& force, const Vector& position) const {
-    const One& one = contacts_[v];
+    const VertexContact& vertex = contacts_[v];
     Vector left = force;
-    if (one.depth > 0) {
-      const Vector slip = one.slip + one.across(position - one.at);
-      const Real length = slip.norm(),
-                 grip = one.holds || !(length > 0) ? one.grip : std::min(one.grip, one.limit / length);
-      left = one.across(force - grip * slip);
+    if (vertex.depth > 0) {
+      const Vector slip = vertex.slip + vertex.across(position - vertex.at);
+      const Real length = slip.norm(), grip = vertex.holds || !(length > 0)
+                                                  ? vertex.grip
+                                                  : std::min(vertex.grip, vertex.limit / length);
+      left = vertex.across(force - grip * slip);
     }
-    if (const Real l = one.layers.squaredNorm(); l > 0) left -= one.layers.dot(left) / l * one.layers;
+    if (const Real l = vertex.layers.squaredNorm(); l > 0)
+      left -= vertex.layers.dot(left) / l * vertex.layers;
     return left;
   }
-  /// Positions before the passes of the last iteration, or of the end of the substep.
+  /// Positions before the contact passes of the last iteration, or before the contact passes at the end of
+  /// the substep.
   const Points<Real>& before() const { return before_; }
 
-  std::size_t memory_bytes() const { return bytes_of(before_) + contacts_.capacity() * sizeof(One); }
-  /// What the next substep needs.
+  std::size_t memory_bytes() const {
+    return bytes_of(before_) + contacts_.capacity() * sizeof(VertexContact);
+  }
+  /// Writes or reads the data that the next substep needs.
   void archive(Archive& state) {
     std::vector<std::uint8_t> flags(contacts_.size());
     for (std::size_t v = 0; v < flags.size(); ++v)
@@ -209,22 +221,22 @@ class ContactForces {
   }
 
  private:
-  struct One {
-    Vector normal = Vector::Zero(), at = Vector::Zero();       // at: x, m
+  struct VertexContact {
+    Vector normal = Vector::Zero(), at = Vector::Zero();       // at: x where the iteration began, m
     Vector layers = Vector::Zero(), slip = Vector::Zero();     // l and s, m
     Vector pushed = Vector::Zero(), carried = Vector::Zero();  // Σ depth · normal, m; Σ depth · carried, m²
-    Vector slides_along = Vector::Zero();         // unit; zero: it does not slide farther and farther
+    Vector slides_along = Vector::Zero();         // unit; zero: the slip does not grow with every iteration
     Vector with = Vector::Zero();                 // how far the obstacle went in the substep, m
     Real depth = 0, surface = 0;                  // d; n · P(x) of the last push, m
     Real stiffness = 0, grip = 0, last_grip = 0;  // κ, k, and k of the last iteration, N/m
-    Real carried_force = 0, earlier = 0;          // N, and that of the last iteration
-    Real limit = 0;                               // μ_k N, where it slides, N
+    Real carried_force = 0, earlier = 0;          // the force N of this and of the last iteration
+    Real limit = 0;                               // μ_k N, in newtons
     Real inertia = 0;                             // w, N/m
     bool by_obstacle = false;
-    bool touched = false;  // in this substep
-    bool holds = false;    // friction stays below its limit
-    bool was_beyond = false;
-    bool gave_way = false;  // it did not, in the later half
+    bool touched = false;     // in this substep
+    bool holds = false;       // friction stays below its limit
+    bool was_beyond = false;  // held in the last iteration, but beyond the limit
+    bool gave_way = false;    // friction gave way in the later half of the iterations
 
     void start() {
       holds = holds && touched;
@@ -259,7 +271,7 @@ class ContactForces {
 
   Real per_weight_ = 0, per_mass_ = 0;
   Points<Real> before_;
-  std::vector<One> contacts_;
+  std::vector<VertexContact> contacts_;
   bool decided_ = true;
 };
 

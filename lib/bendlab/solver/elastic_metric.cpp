@@ -21,7 +21,7 @@ class Assembly {
       entries_.emplace_back(static_cast<int>(i), static_cast<int>(i), 0);
   }
 
-  // value(i, j) at the rows of these vertices.
+  // Adds value(i, j) to the entry of vertices[i] and vertices[j], if both are free.
   template <class ValueAt>
   void add(std::span<const int> vertices, const ValueAt& value) {
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -44,7 +44,7 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-// Of one element at rest; 0 if it has no direction there.
+// κ of one element (see the header); 0 if C has no gradient at rest.
 template <class Kind>
 std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::arity>& corners,
                                                 const std::array<double, Kind::rest_values>& rest,
@@ -64,7 +64,8 @@ std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::
   return weights;
 }
 
-// The trace of each pair's block of the Hessian at rest: a sheet at rest resists along its normal.
+// Adds, for each pair of vertices, the trace of its block of the Hessian at rest, because a sheet at rest
+// resists along its normal.
 void add_own(const OwnElements& own, const Positions& rest, double compliance, Assembly& bending) {
   if (own.size() == 0) return;
   const bool is_energy = own.function->is_energy();
@@ -103,8 +104,8 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (OneSided<Kind> && list.size() > 0)
       throw std::invalid_argument(fmt::format(
-          "{}: the force of {} jumps where it is straight, so that no constant metric resembles it: take the "
-          "method newton, or another bending model",
+          "{}: the force of {} jumps where the element is straight, so no constant matrix approximates it. "
+          "Choose the method newton, or another bending model",
           input.method.name(), Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e) {
       const auto weight = weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law);
@@ -117,8 +118,8 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
   bending_ = bending.matrix(vertices_.size());
 }
 
-// Σ L²/α over the springs of a vertex, half for each end, over its area: springs of the length L that are
-// strained by ε store as much as a membrane of that stiffness.
+// The stiffness at a vertex is Σ L²/α over its springs, half of it for each end of a spring, divided by the
+// vertex's area: springs of length L and strain ε store as much energy as a membrane of that stiffness.
 void ElasticMetric::find_stiffness_of_springs(const SimulationInput& input, const Positions& rest) {
   stiffness_of_springs_.assign(input.distance.size() > 0 ? strain_.size() : 0, 0);
   if (stiffness_of_springs_.empty()) return;
@@ -126,9 +127,9 @@ void ElasticMetric::find_stiffness_of_springs(const SimulationInput& input, cons
   for (std::size_t c = 0; c < input.distance.size(); ++c) {
     const auto [a, b] = input.distance.vertices[c];
     const double softness = input.distance.softness.empty() ? 1 : input.distance.softness[c],
-                 each = 0.5 * (rest.row(a) - rest.row(b)).squaredNorm() /
+                 half = 0.5 * (rest.row(a) - rest.row(b)).squaredNorm() /
                         (input.bending_stiffness.compliance * softness);
-    energy[static_cast<std::size_t>(a)] += each, energy[static_cast<std::size_t>(b)] += each;
+    energy[static_cast<std::size_t>(a)] += half, energy[static_cast<std::size_t>(b)] += half;
   }
   for (std::size_t t = 0; t < strain_.size(); ++t)
     for (const int v : strain_.vertices[t]) area[static_cast<std::size_t>(v)] += rest_area(t) / 3;

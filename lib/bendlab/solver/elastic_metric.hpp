@@ -1,13 +1,14 @@
-// Constant matrices that resemble the Hessian of a scene's elastic energy: a scalar for each pair of free
-// vertices, the same for x, y and z, positive semidefinite.
+// Constant matrices that approximate the Hessian of a scene's elastic energy. They are positive semidefinite
+// and have one scalar for each pair of free vertices, the same for x, y and z.
 //
-//   triangle     Σ over warp and weft: A d dᵀ / α, A the rest area, f = Σ d_i x_i a column of the deformation
-//                gradient: what stretch and shear together resist at rest in each direction of the plane
-//   springs      as a stiffer membrane: what springs that are strained alike resist, spread over the
-//                triangles. Each by itself would join vertices many edges apart, and the factor would be as
-//                good as dense
-//   element      κ κᵀ / α, κ_i = n·∇_i C in the rest shape, n along the largest ∇_i C; for a flat hinge ∇_i C
-//                are multiples of the normal, and this is its Hessian
+//   triangle     A d dᵀ / α, summed over warp and weft. A is the rest area, and f = Σ d_i x_i is a column of
+//                the deformation gradient. This is the stiffness of stretch and shear together at rest, in
+//                each direction of the plane
+//   springs      make the membrane stiffer: the stiffness of equally strained springs, spread over the
+//                triangles. An entry for each spring would couple vertices many edges apart, and the
+//                Cholesky factor would be almost dense
+//   element      κ κᵀ / α, with κ_i = n·∇_i C in the rest shape and n along the largest ∇_i C. The ∇_i C of a
+//                flat hinge are multiples of the normal, so this is the Hessian of a flat hinge
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -20,12 +21,13 @@ namespace bendlab {
 
 class ElasticMetric {
  public:
-  /// Throws std::invalid_argument for elements whose force jumps: no matrix resembles that.
+  /// Throws std::invalid_argument for elements whose force jumps: no constant matrix approximates it.
   explicit ElasticMetric(const SimulationInput& input);
 
-  const std::vector<int>& vertices() const { return vertices_; }           ///< n, the free ones
+  const std::vector<int>& vertices() const { return vertices_; }           ///< the n free vertices
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
-  /// n by n, lower half, N/m, springs included. Mesh triangle t is softness[t] times as soft as stated.
+  /// n by n, lower half, N/m, springs included. Triangle t of the mesh is softness[t] times as soft as
+  /// stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::size_t triangle_count() const { return strain_.size(); }
@@ -39,7 +41,7 @@ class ElasticMetric {
   Eigen::SparseMatrix<double> bending_;
   StrainConstraints strain_;
   double compliance_;                         // of the membrane, m/N
-  std::vector<double> stiffness_of_springs_;  // per triangle, N/m; empty: there are none
+  std::vector<double> stiffness_of_springs_;  // per triangle, N/m; empty: no springs
 };
 
 }  // namespace bendlab

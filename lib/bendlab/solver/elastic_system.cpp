@@ -24,7 +24,7 @@ Potential quadratic(double c, double alpha) {
   return {0.5 * c * c / alpha, c / alpha, 1 / alpha};
 }
 
-// For a one-sided kind: its own energy over α where C < 0, and beyond that a force that falls to 0.
+// ψ of a one-sided kind: where C < 0, its own energy divided by α; beyond that, a force that falls to 0.
 template <class Kind>
 Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest, typename Kind::Law law,
                     double alpha) {
@@ -91,7 +91,7 @@ Eigen::MatrixXd without_negative_eigenvalues(const Eigen::MatrixXd& matrix) {
 void require_compliance(StiffnessKind kind, double compliance, const char* what) {
   if (kind != StiffnessKind::compliance || !(compliance > 0))
     throw std::invalid_argument(std::string("equilibrium: ") + what +
-                                " needs its stiffness as a compliance above 0: only that has an energy");
+                                " needs its stiffness as a compliance above 0, because k has no energy");
 }
 
 }  // namespace
@@ -125,7 +125,8 @@ void ElasticSystem::for_terms(const Visit& visit) const {
   });
 }
 
-// The same for the terms of one constraint; `next` is the number of its first term.
+// The same for the terms of one constraint. `next` is the index of its first term, and is advanced past its
+// terms.
 template <class Visit>
 void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const {
   const StrainStiffness& s = strain_stiffness_;
@@ -325,10 +326,10 @@ Eigen::VectorXd ElasticSystem::convex(Eigen::VectorXd multipliers) const {
   const StrainStiffness& s = strain_stiffness_;
   Eigen::Index term = 0;
   for (std::size_t t = 0; t < strain_.size(); ++t) {
-    for (const double stretch : {s.warp, s.weft})
-      if (stretch != 0) multipliers(term) = std::max(0.0, multipliers(term)), ++term;
-    for (const double other : {s.shear, s.area})
-      if (other != 0) multipliers(term++) = 0;
+    for (const double k : {s.warp, s.weft})
+      if (k != 0) multipliers(term) = std::max(0.0, multipliers(term)), ++term;
+    for (const double k : {s.shear, s.area})
+      if (k != 0) multipliers(term++) = 0;
   }
   for (std::size_t c = 0; c < distance_.size(); ++c, ++term)
     multipliers(term) = std::max(0.0, multipliers(term));

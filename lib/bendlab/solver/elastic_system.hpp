@@ -1,16 +1,17 @@
-// The elastic energy of a scene's constraints as a function of its free vertices, with gradient and Hessian.
-// XPBD approaches its minimum as it converges; a static equilibrium minimises it together with the loads.
+// The elastic energy of a scene's constraints as a function of the free vertices' positions, with gradient
+// and Hessian. XPBD approaches the minimum of this energy as it converges. A static equilibrium minimises the
+// energy together with the loads.
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
-// Own elements (own_elements.hpp) come last. One that states an energy U has ψ = U / α, and a Hessian without
-// negative eigenvalues where its multiplier is 0.
+// Own elements (own_elements.hpp) come last. An own element that states an energy U has ψ = U / α. Where its
+// multiplier is 0, negative eigenvalues are removed from its Hessian.
 //
 // C and ∇C are the oracle's (oracle.hpp), so every kind of constraint has an equilibrium. ∇²C is the central
 // difference of ∇C: it is exact to about ten digits and only affects how fast Newton's method converges. A
 // term's multiplier is its ψ'(C) or an estimate of it. A kind that is OneSided has its own ψ. Newton's method
-// needs a tangent, so where such a force jumps (a straight ArcSpring) it falls to 0 over `ramp` of the length
-// instead.
+// needs a tangent, so a force that would jump (that of a straight ArcSpring) falls to 0 over `ramp` of the
+// element's length instead.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -22,18 +23,18 @@ namespace bendlab {
 
 class ElasticSystem {
  public:
-  static constexpr double ramp = 1e-4;  ///< 1, of a one-sided element's length
+  static constexpr double ramp = 1e-4;  ///< as a share of a one-sided element's length
 
   /// Throws std::invalid_argument unless strain and bending (where there are any) have a compliance above 0.
   explicit ElasticSystem(const SimulationInput& input);
 
-  /// From now on multiplies the strain constraints' compliance by this.
+  /// Multiplies the stated compliance of the strain constraints by `factor` from now on.
   void soften_strain(double factor) { strain_softness_ = factor; }
 
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
   std::size_t memory_bytes() const;  ///< its lists of constraints, and the Hessian
-  /// #V: the number of each vertex among the free ones, or -1. Unknowns 3 i to 3 i + 2 are x, y, z of the
+  /// #V: the index of each vertex among the free vertices, or -1. Unknowns 3 i to 3 i + 2 are x, y, z of the
   /// free vertex i.
   const std::vector<int>& free_index() const { return free_index_; }
 
@@ -43,23 +44,24 @@ class ElasticSystem {
   /// ψ'(C) of each term, 0 for a collapsed one.
   Eigen::VectorXd multipliers(const Positions& positions) const;
 
-  /// The lower triangle of ∇²E with these multipliers for ψ'(C) in its second part, N/m; valid until the next
-  /// call.
+  /// The lower triangle of ∇²E, N/m, with `multipliers` in place of ψ'(C) in the second part. Valid until the
+  /// next call.
   const Eigen::SparseMatrix<double>& hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
 
-  /// Multipliers with which the Hessian has no negative eigenvalue: keeps those of lengths that pull and sets
-  /// all others to 0.
+  /// Multipliers with which the Hessian has no negative eigenvalue: keeps the multipliers of lengths that
+  /// pull and sets all other multipliers to 0.
   Eigen::VectorXd convex(Eigen::VectorXd multipliers) const;
 
   /// The multipliers after a move by `step` (unknowns, m) to first order: ψ'(C) + ψ''(C) ∇C·step of each
   /// term.
   Eigen::VectorXd predicted_multipliers(const Positions& positions, const Eigen::VectorXd& step) const;
-  /// The largest change of a triangle's strain by that move beyond the one of first order.
+  /// The largest difference, over all triangles, between the change of strain by the move `step` and its
+  /// first-order estimate.
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;
 
-  /// Of the constraints with one vertex: their energy, J, the force on it, N, and its own block of their
-  /// Hessian without ∇²C, N/m.
+  /// Sums over the constraints that contain a vertex: their energy, J, their force on the vertex, N, and the
+  /// vertex's own block of their Hessian without ∇²C, N/m.
   struct AtVertex {
     double energy = 0;
     Vector3 force;
@@ -78,7 +80,7 @@ class ElasticSystem {
   void element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
                      const Visit& visit) const;
   void find_constraints_at_vertices();
-  /// Calls visit(term, element, C or U, ψ' and ψ'' of it, its gradient's first number) for the own elements.
+  /// Calls visit(term, element, ψ with its derivatives, gradient of C or U) for every own element.
   template <class Visit>
   void own_terms(const Positions& positions, const Visit& visit) const;
   void add_own_hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
@@ -96,10 +98,11 @@ class ElasticSystem {
   std::vector<int> free_index_;
   int free_count_ = 0;
   Eigen::Index energy_terms_ = 0;
-  // For each free vertex: the free vertices with which it shares a term and whose number is not smaller.
+  // For each free vertex: the free vertices with which it shares a term and whose index is not smaller.
   std::vector<std::vector<int>> blocks_;
   Eigen::SparseMatrix<double> hessian_;
-  // #V: the constraints with that vertex, once at_vertex() was asked: 0 strain, 1 distance, then the kinds.
+  // #V: the constraints that contain each vertex. at_vertex() fills it. `list` is 0 for strain, 1 for
+  // distance, then 2 + kind_index.
   struct Listed {
     std::size_t list, index;
   };

@@ -6,16 +6,17 @@
 
 namespace bendlab {
 
-/// The gradient of the velocities gained since `before`, 1/s: its Frobenius norm in the triangle where it is
-/// largest. It changes the rate of the triangle's deformation gradient. 0 where all vertices gain the same
-/// velocity, and without triangles.
+/// The largest Frobenius norm, over all triangles, of the gradient of the velocity gained since `before`,
+/// 1/s. This gradient is the change of the rate of the triangle's deformation gradient. 0 if all vertices
+/// gain the same velocity, or if there are no triangles.
 template <class Real>
 Real largest_gained_gradient(const Point<Real>* velocities, const Point<Real>* before,
                              const StrainBatch<Real>& batch);
 
-/// The number of equal steps to cut a time step into in which forces alone change a deformation gradient by
-/// `change` (1), so that they change it by at most `limit` in each. The change grows as the square of a
-/// step's length, so the number is the square root of change / limit, rounded up; at most most_force_steps.
+/// In a time step, forces alone change a deformation gradient by `change` (1). Returns the number of equal
+/// parts to cut the step into so that forces change the gradient by at most `limit` in each part. The change
+/// grows as the square of a step's length, so the number is the square root of change / limit, rounded up; at
+/// most most_force_steps.
 int force_steps(double change, double limit);
 inline constexpr int most_force_steps = 1000;
 

@@ -27,7 +27,7 @@ void require_energy(const SimulationInput& input) {
   if ((input.strain.size() > 0 && !has_energy(input.strain_stiffness)) ||
       (bends && !has_energy(input.bending_stiffness)))
     throw std::invalid_argument(fmt::format(
-        "{}: every stiffness has to be a compliance above 0: only that has an energy", input.method.name()));
+        "{}: every stiffness has to be a compliance above 0, because k has no energy", input.method.name()));
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
   this->append_effects(after_, effect_passes, Stage::velocity);
 }
 
-// The passes change the positions; what they changed becomes a force, and the positions are as before.
+// The contact passes change positions. Each change becomes a force, and the positions are restored.
 template <class Real>
 void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_passes) {
   std::vector<Pass<Real>> gripping;
@@ -186,11 +186,11 @@ bool ImplicitStep<Real>::pins_moved() const {
   return false;
 }
 
-// Where a contact pushed, motion has a kink, which no formula of second order may reach across: it would
-// throw the cloth back. So there the velocity along the normal, and all of it where friction holds, is that
-// of the substep alone. BDF2's steps are q += h f / m with q = 3/2 v - 1/2 v_-1, those of backward Euler
-// v += h f / m. So that the cloth's own forces keep its momentum, v becomes q where the first ends, and v_-1
-// becomes v where the second does.
+// Where a contact pushed, motion has a kink. A second-order formula that reaches across the kink would throw
+// the cloth back. So the velocity of such a vertex is that of this substep alone: along the normal, or in all
+// directions where friction holds. Steps of BDF2 are q += h f / m with q = 3/2 v - 1/2 v_-1; steps of
+// backward Euler are v += h f / m. To keep the momentum under the cloth's own forces, v becomes q where a
+// vertex leaves BDF2, and v_-1 becomes v where it leaves backward Euler.
 template <class Real>
 void ImplicitStep<Real>::update() {
   const auto h = static_cast<Real>(settings_.dt / settings_.substeps);
@@ -198,7 +198,7 @@ void ImplicitStep<Real>::update() {
     for (std::size_t v = first; v < last; ++v) {
       state_.velocity[v].set((state_.position[v].vector() - data_.base[v].vector()) / data_.gamma[v]);
       const bool touched = data_.contacts.in_use() && data_.contacts.touched(v),
-                 second_order = data_.gamma[v] < Real(0.8) * h;  // 2/3 or 1
+                 second_order = data_.gamma[v] < Real(0.8) * h;  // γ is 2/3 h or h
       if (touched && second_order) {
         const Vector3Of<Real> own = (state_.position[v].vector() - state_.previous[v].vector()) / h,
                               q = Real(1.5) * state_.velocity[v].vector() -
@@ -248,7 +248,7 @@ void ImplicitStep<Real>::keep_momentum() {
 
 template <class Real>
 void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
-  double inertia = 0;  // there, minus at the guess
+  double inertia = 0;  // energy at the end of the last substep minus energy at the guess, J
   for (std::size_t v = 0; v < data_.weight.size(); ++v)
     inertia +=
         0.5 * static_cast<double>(data_.weight[v] *
@@ -264,7 +264,7 @@ void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
 template <class Real>
 std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
   if (!has_stepped_) return std::nullopt;
-  // What moves vertices by less than the tolerance, or than rounding, is no force to measure by.
+  // Forces that move vertices by less than the tolerance or rounding are too small for a scale.
   const double least = std::max(tolerance_,
                                 100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),
                rounded = std::accumulate(data_.weight.begin(), data_.weight.end(), 0.0) * least;  // N

@@ -1,7 +1,7 @@
-// What lies in a lane: a vertex i and, one after another, the springs of its row (spring_rows.hpp):
+// A lane holds a vertex i and then, one after another, the springs of its row (spring_rows.hpp):
 //
 //   lane       0     1     2   …      step<Real> lanes of a slice at a time
-//   vertex i   v0    v1    v2         own = offset_of() each
+//   vertex i   v0    v1    v2         own = offset_of() the vertices
 //   spring 0   s0    s1    s0         other = offset_of() the far end j, rest_length, stiffness
 //   spring 1   s3    s4    s2
 #include "bendlab/solver/kang_cho_kernel.hpp"
@@ -53,9 +53,9 @@ struct SpringPack {
   }
 };
 
-// W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity. So every pivot is at least m.
-// If rounding makes one smaller (m is lost beside a stiff spring's entries), it is set to m: W stays
-// positive.
+// The factors W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity, so every pivot is
+// at least m. If rounding makes a pivot smaller (m is lost beside a stiff spring's entries), the pivot is set
+// to m, and W stays positive definite.
 template <class Real>
 struct Factors {
   Pack<Real> l10, l20, l21, inverse0, inverse1, inverse2;
@@ -95,7 +95,7 @@ struct SymmetricPack {
   }
 };
 
-// What assemble() keeps for solve(), for a pack of vertices.
+// The data that assemble() stores for solve(), for a pack of vertices.
 template <class Real>
 struct Row {
   PackVector<Real> p;

@@ -1,5 +1,5 @@
-// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, all
-// lanes of a pack at once.
+// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, and all
+// lanes of a pack do so at once.
 #pragma once
 
 #include "bendlab/constraints/state.hpp"

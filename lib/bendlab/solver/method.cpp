@@ -44,11 +44,11 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes) {
   const MakeSimulation<Real> make = input.method.kind().make<Real>();
   if (make == nullptr)
-    throw std::invalid_argument(fmt::format("{}: does not come in {} precision", input.method.name(),
+    throw std::invalid_argument(fmt::format("{}: is not available in {} precision", input.method.name(),
                                             std::is_same_v<Real, float> ? "single" : "double"));
   if (input.method.kind().mesh_order && !input.permutation.empty())
-    throw std::invalid_argument(
-        fmt::format("{}: keeps the mesh's order, so that no vertex may be permuted", input.method.name()));
+    throw std::invalid_argument(fmt::format(
+        "{}: keeps the mesh's order, so the input must not permute vertices", input.method.name()));
   return make(input, std::move(effect_passes));
 }
 

@@ -1,6 +1,6 @@
-// Every solver method as a value: its settings, with their defaults. The file of a method,
-// methods/<name>.cpp, says what they mean, and what a step does. A new method is a struct and its name in the
-// list below, one file, one test and one config.
+// The settings of every solver method, with their defaults. The file of a method, methods/<name>.cpp,
+// explains the settings and the step. A new method is a struct and its name in the list below, one file, one
+// test and one config.
 #pragma once
 
 #include "bendlab/solver/method.hpp"
@@ -20,8 +20,8 @@ struct Pbd {
   Sweep sweep = Sweep::forward;
   ConstraintOrder order = ConstraintOrder::colour;
   FirstConstraint first = FirstConstraint::strain;
-  double flight_limit = 0;  ///< 0: no substep is cut
-  int levels = 0;           ///< coarse levels, at most
+  double flight_limit = 0;  ///< 1; 0: no substep is cut
+  int levels = 0;           ///< largest number of coarse levels
   static const MethodKind kind;
 };
 
@@ -50,10 +50,10 @@ struct Newton {
 struct QuasiNewton {
   enum class Membrane { stated, automatic };
 
-  /// BDF2 gains energy where iterations have not converged.
+  /// Not bdf2, which gains energy where iterations have not converged.
   Integrator integrator = Integrator::euler;
   double tolerance = 1e-7;  ///< of the cloth's size
-  int history = 5;          ///< pairs
+  int history = 5;          ///< number of pairs that L-BFGS keeps
   Membrane membrane = Membrane::automatic;
   double membrane_error = 0.01;  ///< of the cloth's size
   static const MethodKind kind;
@@ -62,15 +62,15 @@ struct QuasiNewton {
 struct Vbd {
   Integrator integrator = Integrator::bdf2;
   double tolerance = 1e-7;  ///< of the cloth's size
-  double acceleration = 0;  ///< ρ of Chebyshev's; 0: none
+  double acceleration = 0;  ///< ρ of Chebyshev's acceleration; 0: no acceleration
   static const MethodKind kind;
 };
 
-/// In the order in which they are listed.
+/// All methods, in the order in which lists show them.
 inline constexpr auto listed_methods =
     listed_kinds<MethodKind, Pbd, KangCho, Equilibrium, Newton, QuasiNewton, Vbd>;
 
-/// The settings of input.method as the struct that they are. Throws std::logic_error if they are another's.
+/// The settings of input.method. Throws std::logic_error if that method has other settings than `Settings`.
 template <class Settings>
 const Settings& settings_of(const SimulationInput& input) {
   const auto* settings = input.method.as<Settings>();

@@ -8,7 +8,8 @@
 namespace bendlab {
 namespace {
 
-// OpenBLAS takes its working memory when it is first called, and tries for ever if there is none.
+// OpenBLAS allocates its working memory in its first call, and retries for ever if there is no memory. So
+// this function tests the memory first.
 void require_working_memory() {
   constexpr std::size_t enough = std::size_t{192} << 20;  // a buffer takes 32 to 128 MiB of address space
   void* const there =

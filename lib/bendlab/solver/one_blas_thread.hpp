@@ -3,8 +3,9 @@
 
 namespace bendlab {
 
-/// From now on OpenBLAS, if CHOLMOD uses it, starts no threads of its own for every product. Runs side by
-/// side use the cores better. (The build of OpenBLAS without threads may not be called from several threads.)
+/// Stops OpenBLAS, if CHOLMOD uses it, from starting its own threads in every product. Runs side by side use
+/// the cores better. (OpenBLAS built without threads is no alternative: it may not be called from several
+/// threads.)
 void one_blas_thread();
 
 }  // namespace bendlab

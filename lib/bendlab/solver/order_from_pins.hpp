@@ -1,5 +1,5 @@
-// Orders constraints by their distance from the pins, so that those that hold the cloth are met before those
-// that hang from them.
+// Orders constraints by their distance from the pins, so that the constraints that hold the cloth are
+// projected before the constraints that hang from them.
 #pragma once
 
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -7,8 +7,8 @@
 
 namespace bendlab {
 
-/// Sorts the lists by the number of edges between a constraint's nearest vertex and the nearest pin. At equal
-/// distance the order stays; without pins nothing changes.
+/// Sorts the lists by the number of edges between a constraint's nearest vertex and the nearest pin.
+/// Constraints at equal distance keep their order. Without pins nothing changes.
 void order_from_pins(SimulationInput& input, const RestMesh& rest);
 
 }  // namespace bendlab

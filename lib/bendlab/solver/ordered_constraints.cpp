@@ -14,7 +14,7 @@ namespace {
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
-// The same constraints between vertices v' = permutation[v].
+// The same constraints, with vertex permutation[v] in place of v.
 template <class List>
 List renumbered(List list, const std::vector<int>& permutation) {
   for (auto& corners : list.vertices)
@@ -53,8 +53,8 @@ struct SortedByLowest {
   }
 };
 
-// A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
-// one thread goes. Several threads go colour by colour.
+// The batch of a list's constraints, with permuted vertices and ordered by `colour`. Fills `tiles` for one
+// thread; several threads work colour by colour.
 template <class Real, class List, class Colour, class Make>
 auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list, Colour colour, Make make,
               std::vector<StackRange>* tiles) {
@@ -75,25 +75,25 @@ auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list
               vertex_count);
 }
 
-// The compliances α with which α, α/h² and a force C/α stay within Real, with room for what they are
-// multiplied by. One that is softer than this does nothing in a substep, and one that is stiffer is rigid.
+// The range of compliances α for which α, α/h² and a force C/α stay within the range of Real, with room for
+// further factors. A softer constraint does nothing in a substep, and a stiffer constraint is rigid.
 template <class Real>
 class ComplianceRange {
  public:
   explicit ComplianceRange(double substep) : most_(largest / spare * std::min(1.0, substep * substep)) {}
 
-  Real held(double compliance) const {
+  Real clamped(double compliance) const {
     return static_cast<Real>(compliance > 0 ? std::clamp(compliance, least, most_) : compliance);
   }
 
-  // Softness times the compliance (already held).
-  void hold(LargeArray<Real>& softness, Real held_compliance) const {
-    const auto compliance = static_cast<double>(held_compliance);
+  // Changes softness so that softness · compliance is in the range. The compliance is already clamped.
+  void clamp(LargeArray<Real>& softness, Real clamped_compliance) const {
+    const auto compliance = static_cast<double>(clamped_compliance);
     if (!(compliance > 0)) return;
-    for (Real& each : softness) {
-      const double alpha = static_cast<double>(each) * compliance;
+    for (Real& factor : softness) {
+      const double alpha = static_cast<double>(factor) * compliance;
       if (alpha > 0 && !(alpha >= least && alpha <= most_))
-        each = static_cast<Real>(std::min(std::clamp(alpha, least, most_) / compliance, largest));
+        factor = static_cast<Real>(std::min(std::clamp(alpha, least, most_) / compliance, largest));
     }
   }
 
@@ -144,7 +144,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
                           tiles ? &tiles->strain : nullptr);
   const StrainStiffness& s = input.strain_stiffness;
   const auto fraction = [&](double k) { return static_cast<Real>(k_of_projection(s.kind, k, projections)); };
-  strain.form = s.form, strain.kind = s.kind, strain.compliance = range.held(s.compliance);
+  strain.form = s.form, strain.kind = s.kind, strain.compliance = range.clamped(s.compliance);
   strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
   strain.area = fraction(s.area);
   if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
@@ -154,8 +154,8 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
                             tiles ? &tiles->distance : nullptr);
   const BendingStiffness& d = input.bending_stiffness;
   strain.rest_points = distance.rest_points = rest_points;
-  distance.kind = d.kind, distance.compliance = range.held(d.compliance);
-  range.hold(distance.softness, distance.compliance);
+  distance.kind = d.kind, distance.compliance = range.clamped(d.compliance);
+  range.clamp(distance.softness, distance.compliance);
   distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
   if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
 
@@ -164,8 +164,8 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
     batch =
         batch_of<Real>(input, ordering.order, list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
                        tiles ? &tiles->elements[kind_index<Kind>] : nullptr);
-    batch.kind = d.kind, batch.compliance = range.held(d.compliance);
-    range.hold(batch.softness, batch.compliance);
+    batch.kind = d.kind, batch.compliance = range.clamped(d.compliance);
+    range.clamp(batch.softness, batch.compliance);
     batch.rest_points = rest_points;
     batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
     if (d.kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);

@@ -1,4 +1,4 @@
-// A scene's lists of constraints as the batches of the kernels.
+// Makes the batches of the kernels from a scene's lists of constraints.
 #pragma once
 
 #include <array>
@@ -11,26 +11,27 @@
 
 namespace bendlab {
 
-/// Ranges of stacks by which one thread goes through a batch (tiling.hpp); empty: colour by colour.
+/// Ranges of stacks, in the order in which one thread projects them (tiling.hpp). Empty: colour by colour.
 struct ConstraintTiles {
   std::vector<StackRange> strain, distance;
   std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> elements;  ///< by kind_index
 };
 
-/// How constraints are put in order.
+/// How to order constraints.
 struct Ordering {
   ConstraintOrder order = ConstraintOrder::colour;
-  int projections = 1;               ///< of each constraint in a substep
-  ConstraintTiles* tiles = nullptr;  ///< to be filled; null: none
+  int projections = 1;               ///< how often a substep projects each constraint
+  ConstraintTiles* tiles = nullptr;  ///< ordered_constraints() fills them; null: no tiles
 };
 
-/// The batches of input's lists in that order, on vertices permuted by input.permutation, with their
-/// stiffness. A k is that of one projection; a compliance has its multipliers, which are 0.
+/// The batches of the input's lists in the order of `ordering`, with vertices permuted by input.permutation.
+/// Stiffness is included: k is converted to the k of one projection. With a compliance, batches also have
+/// multipliers, which are 0.
 template <class Real>
 Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<Real>* rest_points,
                                       const Ordering& ordering = {});
 
-/// The order of the element batch of that Kind::name; throws as index_of_kind() does.
+/// The order of the batch of elements whose Kind::name is `kind`. Throws as index_of_kind() does.
 template <class Real>
 const BatchOrder& element_order_of(const Constraints<Real>& constraints, std::string_view kind);
 

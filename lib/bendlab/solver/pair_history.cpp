@@ -9,10 +9,11 @@
 namespace bendlab {
 namespace {
 
-// Vectors are read in parts that stay in the first cache while all pairs are read beside them.
+// Vectors are read in parts that stay in the first-level cache while the same part of all pairs is read.
 constexpr std::size_t part_points = 256;
 
-// The dot of two parts. 64 sums side by side, as many on every processor, so that all compute the same bits.
+// The dot product of two parts. Every processor computes 64 partial sums side by side, whatever its vector
+// width, so that all processors compute the same bits.
 template <class Real>
 double part_dot(const Real* a, const Real* b, std::size_t size) {
   constexpr std::size_t width = static_cast<std::size_t>(lanes<Real>), wide = 64;

@@ -1,13 +1,13 @@
-// Springs that push, and a membrane that has to hold them.
+// How stiff a membrane must be to hold springs that push.
 #pragma once
 
 #include <algorithm>
 
 namespace bendlab {
 
-/// N/m: how stiff a membrane must stay so that springs that stretch it with the tension T (N/m) make it grow
-/// by no more than `error`, the share of its size by which a softer membrane may move the cloth. It grows by
-/// T over its stiffness, and by more once neighbours give way: above 0.04 sheets tear
+/// The least stiffness of a membrane, N/m, so that springs that push with `tension` (N/m) stretch it by at
+/// most `error`. `error` is how far a softer membrane may move the cloth, as a share of the cloth's size. The
+/// membrane stretches by tension / stiffness, and by more once neighbours give way: above 0.04 sheets tear
 /// (bending/push_bound.hpp).
 inline double membrane_for_push(double tension, double error) {
   constexpr double tears = 0.04;

@@ -1,4 +1,5 @@
-// What a solver method (methods.hpp) gets from a scene, and what callers get from any method: a simulation.
+// SimulationInput, which a solver method (methods.hpp) gets from a scene, and Simulation, which callers get
+// from a method.
 #pragma once
 
 #include <array>
@@ -48,20 +49,20 @@ struct StrainStiffness {
 struct BendingStiffness {
   StiffnessKind kind = StiffnessKind::k;
   double k = 0.5;         ///< in [0, 1]
-  double compliance = 0;  ///< of a spring in m/N, of an element by its model's softness
+  double compliance = 0;  ///< springs: m/N; elements: the unit that the model's softness implies
 };
 
-/// What a method gets from a scene.
+/// The input of a method, made from a scene.
 struct SimulationInput {
   Method method;
   Positions positions;   ///< #V by 3, m: where the cloth starts
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
-  Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
+  Positions rest;        ///< #V by 3, m: collapsed elements open towards it; empty: they do not open
   Vector3 origin = Vector3::Zero();  ///< coordinates are kept relative to it, m
   double size = 1;  ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;      ///< #V, kg
   std::vector<char> is_pinned;   ///< #V
-  std::vector<int> permutation;  ///< #V, the index of each vertex in the solver's arrays; empty: its own
+  std::vector<int> permutation;  ///< #V, each vertex's index in the solver's arrays; empty: no change
 
   StrainConstraints strain;
   DistanceConstraints edges;  ///< the membrane of a method with Membrane::edges, instead of strain
@@ -70,12 +71,12 @@ struct SimulationInput {
   OwnElements own;  ///< for methods with MethodKind::takes_own_elements
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
-  double push_tension = 0;  ///< N/m, with which springs that push stretch the rest shape
+  double push_tension = 0;  ///< N/m, by which springs that push stretch the rest shape
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
   /// Single precision: whether a substep moves the cloth by little more than the last digit of its positions.
-  /// A method that can (MethodKind::keeps_moves_apart) then keeps moves apart from positions, in up to a
-  /// fifth more time. See Places.
+  /// If so, a method with MethodKind::keeps_moves_apart stores moves apart from positions, which takes up to
+  /// a fifth more time. See Places.
   bool moves_apart = true;
 };
 
@@ -88,20 +89,21 @@ struct PassStatistics {
   void archive(Archive& state) { state(name, seconds, calls, acted); }
 };
 
-/// What stopped a simulation: its worst vertex and triangle.
+/// Where a simulation diverged: its worst vertex and triangle.
 struct Divergence {
   double time = 0;   ///< s
-  int vertex = 0;    ///< the first without a finite position, else the farthest
+  int vertex = 0;    ///< the first without a finite position, else the farthest from the origin
   Vector3 position;  ///< m, may be non-finite
   /// Vertices of the most stretched triangle; -1 without strain constraints.
   std::array<int, 3> triangle = {-1, -1, -1};
   double stretch = 1;  ///< its larger principal stretch, may be non-finite
 };
 
-/// What the iterations of an implicit substep left of its forces; sums of lengths over free vertices, N.
+/// Forces that the iterations of an implicit substep left unbalanced. Sums of the lengths of forces over free
+/// vertices, N.
 struct StepResidual {
-  double unbalanced;  ///< of the forces, inertia among them; without vertices that touch something
-  double effects;     ///< of the effects' forces, without linear drag; of inertia if there are none
+  double unbalanced;  ///< of the total force, inertia included, without the part that contacts carry
+  double effects;     ///< of the effects' forces, without linear drag; of inertia if those are negligible
   double share() const { return unbalanced / effects; }
 };
 
@@ -112,9 +114,9 @@ class Simulation {
   /// One time step dt. Returns false if the cloth diverged (see divergence()); the state is then useless.
   virtual bool step() = 0;
 
-  /// Whether further steps would change nothing. Always false for a method that moves on in time.
+  /// Whether further steps would change nothing. Always false for a method that simulates motion.
   virtual bool settled() const { return false; }
-  /// For a method that finds an equilibrium: the forces that are not balanced, relative to the loads.
+  /// For a method that finds an equilibrium: the unbalanced forces, relative to the loads.
   virtual std::optional<double> unbalanced() const { return std::nullopt; }
 
   virtual double time() const = 0;           ///< s
@@ -123,40 +125,41 @@ class Simulation {
   virtual const Divergence& divergence() const = 0;
   /// The step plan, in the order of a substep.
   virtual const std::vector<PassStatistics>& passes() const = 0;
-  /// Seconds that threads beside the calling one spent on passes so far.
+  /// Seconds that threads other than the calling thread have spent on passes so far.
   virtual double helper_seconds() const = 0;
   /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
   /// For a method that does not project: evaluations of constraints.
   virtual std::uint64_t projections() const = 0;
-  /// Substeps so far, including those that a method added by cutting others.
+  /// Substeps so far. A substep that the method cut counts once for each part.
   virtual std::uint64_t substeps() const = 0;
-  /// Memory of the method's arrays so far: points, ordered constraints with their multipliers, and what else
-  /// it solves with (a matrix, its factor at its largest). Without the lists of effects and of the scene.
+  /// Memory of the method's arrays so far: points, ordered constraints with their multipliers, and data for
+  /// solving (a matrix, and the largest size of its factor). The lists of effects and of the scene are not
+  /// counted.
   virtual std::size_t memory_bytes() const = 0;
   /// The order of the constraints: the index in the list for each lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
-  /// Of the kind with that Kind::name; throws as index_of_kind() does.
+  /// The order of the elements whose Kind::name is `kind`. Throws as index_of_kind() does.
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;
   /// How much of the stated stiffness the last substep realised (effective_stiffness.hpp), if the method
   /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
-  /// For a method that steps implicitly, at the end of the last substep. Nothing before the first step, and
-  /// where the effects' forces are below what rounded positions amount to. Takes about as long as an
-  /// iteration.
+  /// The residual at the end of the last substep, for a method that steps implicitly. Empty before the first
+  /// step, and if the forces are smaller than the errors that rounded positions cause. Takes about as long as
+  /// an iteration.
   virtual std::optional<StepResidual> step_residual() const { return std::nullopt; }
 
-  /// How many times the stated compliance the membrane has, if the method softened it.
+  /// The membrane's compliance as a multiple of the stated compliance, if the method softened the membrane.
   virtual std::optional<double> membrane_softness() const { return std::nullopt; }
 
-  /// Writes or reads all that further steps depend on, and the counts so far; between steps. A simulation of
-  /// the same input that has read it takes the same steps, to the bit.
+  /// Writes or reads everything that further steps depend on, and all counts. To be called between steps.
+  /// After reading, a simulation of the same input takes the same steps, bit for bit.
   virtual void archive(Archive& state) = 0;
 };
 
-/// A simulation by input.method in single (Real = float) or double precision, with the passes of the scene's
-/// effects. Throws std::invalid_argument if the method cannot simulate the scene.
+/// A simulation with the method input.method, in single (Real = float) or double precision, with the passes
+/// of the scene's effects. Throws std::invalid_argument if the method cannot simulate the scene.
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes);

@@ -11,11 +11,12 @@
 namespace bendlab {
 namespace {
 
-// Sheets at rest that hang by patches at two corners are moved by 3.5 F / Y sizes, and by a tenth of that if
-// they hang by a side.
+// A membrane of stiffness Y moves a sheet at rest by 3.5 F / Y sizes if the sheet hangs by patches at two
+// corners, and by a tenth of that if it hangs by a side.
 constexpr double moved_per_load = 5;
-// The strain at the distance r from a point that carries F is 4 F / (π Y r) in a quarter of a plane. So it is
-// at most 0.025 at every distance, if the membrane gets stiffer from this distance on, times error and size.
+// In a quarter of a plane, the strain at the distance r from a point that carries F is 4 F / (π Y r). So the
+// strain is at most 0.025 at every distance if the membrane becomes stiffer nearer to pins than this
+// distance, in units of error times size.
 constexpr double graded_per_error = 10;
 
 struct Neighbour {
@@ -23,7 +24,7 @@ struct Neighbour {
   double length;
 };
 
-// Of every vertex from the nearest pinned one along edges, m (Dijkstra).
+// The distance of every vertex from the nearest pinned vertex along edges, m (Dijkstra).
 std::vector<double> distances_from_pins(const SimulationInput& input) {
   const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
   std::vector<std::vector<Neighbour>> neighbours(static_cast<std::size_t>(rest.rows()));

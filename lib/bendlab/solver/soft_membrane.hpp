@@ -1,5 +1,5 @@
-// A membrane that is softer than stated, where that does no harm: the iterations that are needed grow as the
-// square root of the membrane's stiffness, and cloth hardly stretches under its weight either way.
+// A membrane that is softer than stated where that does no harm. The needed number of iterations grows as the
+// square root of the membrane's stiffness, and cloth hardly stretches under its weight with either stiffness.
 //
 // Under a load F a membrane of stiffness Y (N/m) strains by about F / (Y l) where the load spreads over the
 // length l. So it needs the stated stiffness only near pins, where l is as small as a triangle:
@@ -10,7 +10,7 @@
 //                    +---------|---------------
 //                    0       graded         r, distance from the nearest pinned vertex along edges, m
 //
-// most is the softness far from pins, and graded is where it is reached, in m.
+// `most` is the softness far from pins. `graded` is the distance at which it is reached, m.
 #pragma once
 
 #include <vector>
@@ -23,8 +23,9 @@ class SoftMembrane {
  public:
   explicit SoftMembrane(const SimulationInput& input);
 
-  /// The compliance of each triangle over the stated one, at least 1: `error` is how far the softer membrane
-  /// may move the cloth at rest under loads of `force` newtons in all, in sizes of the cloth.
+  /// The compliance of each triangle divided by the stated compliance, at least 1. `error` is how far the
+  /// softer membrane may move the cloth at rest, in sizes of the cloth, under loads of `force` newtons in
+  /// total.
   std::vector<double> softness(double error, double force) const;
 
  private:

@@ -1,9 +1,10 @@
-// Cholesky factors of a symmetric, positive definite matrix of scalars, made to solve for many right-hand
-// sides of three numbers: the x, y and z of points.
+// Cholesky factors of a symmetric, positive definite matrix of scalars. They solve for many right-hand sides
+// of points, whose x, y and z are solved for at once.
 //
-// CHOLMOD orders (AMD: METIS would not give every run the same order) and factorises, once. Its supernodes
-// are then stored row by row in the precision of the points: a row times the points of its columns is one
-// pass through memory, in which every number of the factor serves x, y and z at once.
+// CHOLMOD orders and factorises the matrix, once. (It orders by AMD, because METIS would not give every run
+// the same order.) Its supernodes are then stored row by row in the precision of the points. The product of a
+// row and the points of its columns is one pass through memory, in which every number of the factor serves x,
+// y and z.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -24,10 +25,10 @@ class SparseFactor {
   explicit SparseFactor(const Eigen::SparseMatrix<double>& lower);
 
   /// The right-hand side of row i is right[points[i]], and its solution goes to solution[points[i]]. Without
-  /// this call, i itself is.
+  /// this call, i takes the place of points[i].
   void renumber(const std::vector<int>& points);
 
-  /// Solves for x, y and z. w of the solution is 0 where w of the right-hand sides is.
+  /// Solves for x, y and z. w of the solution is 0 if w of all right-hand sides is 0.
   void solve(const Point<Real>* right, Point<Real>* solution) const;
   void solve(Point<Real>* points) const { solve(points, points); }
 
@@ -39,16 +40,16 @@ class SparseFactor {
   // Consecutive columns that have the same rows below their own.
   struct Supernode {
     int first, columns;
-    std::size_t rows, values;  // where its first row below the columns, and its first number, are
+    std::size_t rows, values;  // index of its first row below the columns in rows_, and in values_
     int row_count;
   };
 
   void keep(const cholmod_factor_struct& factor);
 
-  std::vector<int> order_;  // n, the point of the right-hand sides at each place of the factor
+  std::vector<int> order_;  // n, the point of the right-hand sides for each row of the factor
   std::vector<Supernode> supernodes_;
-  std::vector<int> rows_;  // by supernode: the factor's rows below its columns
-  // By supernode: its triangle row by row, the diagonal inverted; then the rows below, `columns` numbers
+  std::vector<int> rows_;  // by supernode: the rows of the factor below its columns
+  // By supernode: its triangle row by row, with inverted diagonal; then the rows below, of `columns` numbers
   // each.
   LargeArray<Real> values_;
   mutable Points<Real> work_;  // n

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// Calls action(vertex, other vertex, spring) for each end of each spring that needs it.
+// Calls action(vertex, other vertex, spring) for each end of each spring whose vertex needs a row.
 template <class Action>
 void for_each_end(const std::vector<Spring>& springs, const std::vector<char>& needs_row,
                   const Action& action) {

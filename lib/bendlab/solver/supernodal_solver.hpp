@@ -1,4 +1,4 @@
-// Cholesky factors of a matrix whose pattern stays and whose numbers change.
+// Cholesky factors of a sparse matrix whose pattern stays and whose values change.
 #pragma once
 
 #include <Eigen/CholmodSupport>
@@ -10,7 +10,7 @@
 
 namespace bendlab {
 
-/// A symmetric block, from row and column `at` on.
+/// A symmetric block on the diagonal, which begins at row and column `at`.
 struct DiagonalBlock {
   int at;
   Eigen::Matrix3d value;
@@ -23,10 +23,11 @@ class SupernodalSolver {
     factor_.cholmod().print = 0;  // "not positive definite" is an expected result
   }
 
-  /// Factorises lower + diagonal + blocks; the first call also orders. False if that is not positive
-  /// definite. `lower` has an entry wherever a block has one.
-  /// Where AMD's order is poor CHOLMOD tries METIS, which seeds the process's random numbers and draws from
-  /// them: runs side by side order one after another, or their bits would differ.
+  /// Factorises lower + diagonal + blocks; the first call also finds the elimination order. Returns false if
+  /// the matrix is not positive definite. `lower` must have an entry wherever a block has an entry.
+  /// Where AMD's order is poor, CHOLMOD tries METIS, which seeds and draws the random numbers of the whole
+  /// process. So a lock lets runs side by side find their orders one after another; else their bits would
+  /// differ.
   bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal,
                  std::span<const DiagonalBlock> blocks = {}) {
     Eigen::SparseMatrix<double> matrix = lower;
@@ -46,7 +47,7 @@ class SupernodalSolver {
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_.solve(right); }
 
-  /// The most that CHOLMOD used at a time. May be written and read with a run's state.
+  /// The most memory that CHOLMOD used at a time. An archive may write and read it through the reference.
   std::size_t memory_bytes() const { return bytes_; }
   std::size_t& memory_bytes() { return bytes_; }
 

@@ -1,4 +1,4 @@
-// The order in which one thread goes through a batch that is larger than its cache.
+// The order in which a single thread projects a batch that is larger than the processor's cache.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ struct StackRange {
   std::size_t first, last;
 };
 
-/// Cuts the stacks of `order` into ranges. Their sequence gives, bit for bit, what colour after colour gives,
-/// but it takes all colours of one tile of vertices before it goes on to the next: a point is fetched from
-/// memory once per projection sweep and not once per colour. `corners[c]` are the permuted vertices of
-/// constraint c; the closer neighbours are numbered, the better. Without room for two tiles: one range per
-/// colour. Backwards, the ranges go from the last to the first. Known as time skewing (Wonnacott 2000), here
-/// over colours.
-/// `Corners`: a vector of arrays, or a PairList.
+/// Cuts the stacks of `order` into ranges, in the order in which a thread projects them. The result is bit
+/// for bit that of projecting colour after colour. But all colours of one tile of vertices come before the
+/// next tile, so a point is fetched from memory once per projection sweep, not once per colour. `corners[c]`:
+/// the permuted vertices of constraint c; the closer the numbers of neighbours, the better. A mesh that fits
+/// into one tile gives one range per colour. A backward sweep takes the ranges from the last to the first.
+/// This is time skewing (Wonnacott 2000) over colours.
+/// `Corners` is a vector of arrays, or a PairList.
 template <class Corners>
 std::vector<StackRange> tiled(const BatchOrder& order, const Corners& corners, int vertex_count,
                               int tile_vertices);

@@ -93,8 +93,8 @@ void TimeStep<Real>::append_effects(Passes& passes, std::vector<Pass<Real>>& eff
   }
 }
 
-// Not the divergence: a simulation that has one takes no more steps. Nor contacts, which are of one
-// iteration, nor multipliers, which are of one substep.
+// Leaves out the divergence, because a diverged simulation takes no more steps; contacts, which last for one
+// iteration; and multipliers, which last for one substep.
 template <class Real>
 void TimeStep<Real>::archive(Archive& state) {
   double helpers = helper_seconds();
@@ -103,9 +103,9 @@ void TimeStep<Real>::archive(Archive& state) {
   if (state.reads()) earlier_helper_seconds_ = helpers - workers_.helper_seconds();
   std::vector<PassStatistics> passes = statistics_;
   state(passes);
-  for (PassStatistics& pass : statistics_)  // an effect may have several of one name, in their order
-    if (const auto found = std::ranges::find(passes, pass.name, &PassStatistics::name); found != passes.end())
-      pass = *found, passes.erase(found);
+  for (PassStatistics& pass : statistics_)  // passes of one name match in their order
+    if (const auto saved = std::ranges::find(passes, pass.name, &PassStatistics::name); saved != passes.end())
+      pass = *saved, passes.erase(saved);
   for (const auto& archive : effect_archives_) archive(state);
 }
 
@@ -122,7 +122,7 @@ void TimeStep<Real>::run(const Passes& passes, PassContext<Real>& context) {
   }
 }
 
-// NaN fails every comparison.
+// A NaN fails every comparison, so it is out of bounds.
 template <class Real>
 void TimeStep<Real>::find_divergence() {
   if (divergence_.vertex >= 0) return;
@@ -162,7 +162,7 @@ void TimeStep<Real>::name_worst_triangle() {
     const Eigen::Matrix2d s = f.transpose() * f;
     const double half = 0.5 * (s(0, 0) + s(1, 1)), away = std::hypot(0.5 * (s(0, 0) - s(1, 1)), s(0, 1));
     const double largest = std::sqrt(half + away);
-    if (largest <= worst) continue;  // a NaN is not
+    if (largest <= worst) continue;  // false for a NaN
     for (std::size_t c = 0; c < 3; ++c)
       divergence_.triangle[c] = vertex_at[static_cast<std::size_t>(offset[c] / offset_of(1))];
     divergence_.stretch = largest;

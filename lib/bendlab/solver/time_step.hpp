@@ -12,7 +12,7 @@ template <class Real>
 struct PlannedPass {
   std::function<void(PassContext<Real>&)> run;
   std::size_t statistics;  ///< its row in passes()
-  bool counts = true;      ///< as a call of that pass; else it is only a part of it
+  bool counts = true;      ///< whether it counts as a call of the pass; false: it is only a part of it
 };
 
 template <class Real>
@@ -46,10 +46,10 @@ class TimeStep : public Simulation {
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
 
-  /// `permutation`: the index of each vertex in the arrays; empty: its own.
+  /// `permutation`: the index of each vertex in the arrays; empty: vertices keep their indices.
   TimeStep(const SimulationInput& input, std::vector<int> permutation);
 
-  /// Fills constraints_, where effects find them. Without it constraints_ are empty.
+  /// Fills constraints_, which effects read. Without this call constraints_ are empty.
   void order_constraints(const SimulationInput& input, const Ordering& ordering = {});
 
   virtual void substep(PassContext<Real>& context) = 0;
@@ -59,20 +59,20 @@ class TimeStep : public Simulation {
     return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
   }
 
-  /// Adds a pass of the method's own to the end of `passes`.
+  /// Adds a pass of the method itself to the end of `passes`.
   void add_pass(Passes& passes, const std::string& name, std::function<void(PassContext<Real>&)> run) {
     passes.push_back({std::move(run), add_statistics(name)});
   }
   /// Moves the effects' passes of one stage to the end of `passes`.
   void append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage);
-  /// What the method does before or after that pass of an effect, whose time it shares.
+  /// An action of the method before or after `pass`, an effect's pass. Its time is added to that of `pass`.
   static PlannedPass<Real> part_of(const PlannedPass<Real>& pass, auto action) {
     return {std::move(action), pass.statistics, false};
   }
   void run(const Passes& passes, PassContext<Real>& context);
 
-  /// Tests once whether all positions are finite and within bounds. A method calls it when positions are
-  /// final.
+  /// Tests whether all positions are finite and within bounds. A method calls it once per substep, when
+  /// positions are final.
   void find_divergence();
 
   /// Calls task(first, last) on parts of [0, #V), side by side.
@@ -85,18 +85,18 @@ class TimeStep : public Simulation {
   }
 
   SolverSettings settings_;
-  std::vector<int> permutation_;  ///< #V, the index of each vertex in the arrays; empty: its own
+  std::vector<int> permutation_;  ///< #V, the index of each vertex in the arrays; empty: no change
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;
-  std::uint64_t cut_substeps_ = 0;  ///< substeps beyond those of the settings
+  std::uint64_t cut_substeps_ = 0;  ///< substeps added by cutting, beyond /solver/substeps
 
   /// The rest shape in the order of state_.position, or null.
   const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }
 
  private:
   void fill_state(const SimulationInput& input);
-  std::size_t add_statistics(const std::string& name);  // its row in passes()
+  std::size_t add_statistics(const std::string& name);  // returns its row in passes()
   bool within_bound(const Point<Real>& p) const;
   Positions to_rows(const Points<Real>& points, const Points<Real>& remainders, const Vector3& origin) const;
 
@@ -104,10 +104,10 @@ class TimeStep : public Simulation {
 
   Real bound_;
   Points<Real> rest_;
-  std::optional<ListOrders> lists_;  // unless constraints_ are ordered
+  std::optional<ListOrders> lists_;  // empty once constraints_ are ordered
   std::vector<PassStatistics> statistics_;
   std::vector<std::function<void(Archive&)>> effect_archives_;
-  double earlier_helper_seconds_ = 0;  // read from an archive
+  double earlier_helper_seconds_ = 0;  // before the checkpoint, read from an archive
   std::uint64_t substeps_done_ = 0;
   Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};
 };

@@ -1,5 +1,5 @@
-// Splits a range over a fixed number of threads; with one thread it is a plain call. A task's result may not
-// depend on how the range is cut.
+// Splits a range over a fixed number of threads; with one thread it is a plain call. The result of a task
+// must not depend on how the range is cut.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Calls task(first, last) on equal parts of [first, last), one per thread, side by side; on the whole
-  /// range if that is not `worthwhile`.
+  /// Calls task(first, last) on equal parts of [first, last), one part per thread, side by side. If that is
+  /// not `worthwhile`, calls it once on the whole range.
   template <class Task>
   void for_range(std::size_t first, std::size_t last, bool worthwhile, const Task& task) {
     if (threads_ == 1 || !worthwhile)
@@ -26,7 +26,7 @@ class Workers {
       });
   }
 
-  /// Seconds that threads beside the calling one have worked so far.
+  /// Seconds that threads other than the calling thread have worked so far.
   double helper_seconds() const;
 
  private:

@@ -1,4 +1,4 @@
-"""Cloth with bending models that can be exchanged: scenes, steps, sweeps, and models of one's own.
+"""Cloth with exchangeable bending models: scenes, steps, sweeps, and models of your own.
 
     import bendlab as bl
 
@@ -12,7 +12,7 @@
 
 
 def load(place):
-    """The runs of a folder of results, in the order of their configs, or the run of one file: see
+    """The runs of a folder of results, in the order of their configs, or the run of a single file. See
     bendlab.results.load.Run."""
     from pathlib import Path
     from bendlab.results import load as results

@@ -1,8 +1,8 @@
 """Bending models, effects and measures that are written in Python.
 
-A class becomes part of bendlab when Python has read it: a subclass of Model, Effect or Measure is known by
-its name in snake case ("EdgeHinge" is "edge_hinge"), to Scene and to run(). A class of the same name takes
-the place of an earlier one.
+A class becomes part of bendlab when Python has read it: Scene and run() know a subclass of Model, Effect or
+Measure by its name in snake case ("EdgeHinge" is "edge_hinge"). A class of the same name replaces an earlier
+class.
 """
 import hashlib
 import inspect
@@ -22,8 +22,8 @@ _defined = set()  # (module, name) of each class so far
 
 
 class Setting:
-    """A setting of a class of one's own: power = Setting(1.0, unit="1", meaning="p of |e|^p", minimum=0). Its
-    type is that of the default: bool, int, float, str, or a list of numbers."""
+    """A setting of your own class: power = Setting(1.0, unit="1", meaning="p of |e|^p", minimum=0). The type
+    of the setting is the type of its default: bool, int, float, str, or a list of numbers."""
 
     def __init__(self, default, unit="", meaning="", minimum=-math.inf, maximum=math.inf, above=False):
         self.default, self.unit, self.meaning = default, unit, meaning
@@ -48,8 +48,9 @@ def snake_name(name):
 
 
 def _code_of(cls):
-    """Tells versions of a class apart: a run is computed again if this differs. A class without a file, in a
-    notebook for example, differs each time that it is defined, and so does a class that a function makes."""
+    """A text that identifies the version of a class: a run is computed again if this text differs. For a
+    class without a file, in a notebook for example, and for a class that a function makes, the text differs
+    each time that the class is defined."""
     functions = [member for member in vars(cls).values() if inspect.isfunction(member)]
     takes_from_outside = any(set(function.__code__.co_freevars) - {"__class__"} for function in functions)
     place = (cls.__module__, cls.__qualname__)
@@ -65,7 +66,7 @@ def _code_of(cls):
 
 
 def about(cls):
-    """What the program is told of a class."""
+    """What the program has to know about a class."""
     summary = (inspect.getdoc(cls) or cls.__name__).split("\n\n")[0].replace("\n", " ")
     return {"name": snake_name(cls.__name__), "label": getattr(cls, "label", cls.__name__),
             "summary": summary, "source": getattr(cls, "source", ""), "code": _code_of(cls),
@@ -81,7 +82,7 @@ def setting_rows(cls):
 class Rest:
     """The mesh at rest, for a model or a measure. Arrays: `positions` (V, 3) in m, `triangles` (T, 3),
     `pinned` (V) bool, `areas` (T) in m², and `hinges` (H, 4): the ends of every edge between two triangles
-    that has a vertex which is free, then the two vertices opposite it. A measure also gets `masses` (V) in
+    that has a free vertex, then the two vertices opposite the edge. A measure also gets `masses` (V) in
     kg."""
 
     def __init__(self, arrays):
@@ -89,9 +90,9 @@ class Rest:
 
 
 class Elements:
-    """What a model makes of a mesh: `vertices` (E, k) of each element; `softness` (E), which is multiplied by
-    the scene's compliance, or by 1/B where the scene states a flexural_rigidity B; and arrays of the model's
-    own, with E rows each, which `constraint` or `energy` gets back as members of `rest`."""
+    """The elements that a model makes from a mesh: `vertices` (E, k) of each element; `softness` (E), which
+    is multiplied by the scene's compliance, or by 1/B if the scene states a flexural_rigidity B; and the
+    model's own arrays, with E rows each, which `constraint` or `energy` gets back as members of `rest`."""
 
     def __init__(self, vertices, softness=1.0, **rest):
         self.vertices = np.ascontiguousarray(vertices)
@@ -109,12 +110,12 @@ class Elements:
         self.rest = {name: np.asarray(array) for name, array in rest.items()}
         for name, array in self.rest.items():
             if len(array) != count:
-                raise ValueError(f"{name} has {len(array)} rows, and there are {count} elements")
+                raise ValueError(f"{name} has {len(array)} rows, but there are {count} elements")
 
     def check(self, vertex_count):
         outside = (self.vertices < 0) | (self.vertices >= vertex_count)
         if outside.any():
-            raise ValueError(f"an element has the vertex {self.vertices[outside][0]}, and vertices are 0 to "
+            raise ValueError(f"an element has the vertex {self.vertices[outside][0]}, but vertices are 0 to "
                              f"{vertex_count - 1}")
 
 
@@ -126,10 +127,10 @@ def _evaluator(model, elements):
 
     def evaluate(which, corners):
         rest = SimpleNamespace(**{key: array[which] for key, array in elements.rest.items()})
-        found = function(corners, rest)
-        if not isinstance(found, tuple) or len(found) != 2:
-            raise TypeError(f"{name}() returned {type(found).__name__}, expected (values, gradients)")
-        values, gradients = (np.asarray(array, float) for array in found)
+        result = function(corners, rest)
+        if not isinstance(result, tuple) or len(result) != 2:
+            raise TypeError(f"{name}() returned {type(result).__name__}, expected (values, gradients)")
+        values, gradients = (np.asarray(array, float) for array in result)
         if values.shape != which.shape or gradients.shape != corners.shape:
             raise ValueError(f"{name}() returned arrays of shapes {values.shape} and {gradients.shape}, "
                              f"expected {which.shape} and {corners.shape}")
@@ -165,8 +166,8 @@ def _small_sheet():
 
 def check_gradient(model):
     """Compares a model's gradients with central differences, on a sheet of 0.1 m edges whose vertices were
-    moved by up to 1 cm. Raises ValueError with the numbers if they differ by more than 10⁻⁵ of the
-    largest."""
+    moved by up to 1 cm. Raises ValueError, with both numbers, if a gradient differs by more than 10⁻⁵ of
+    the largest difference quotient."""
     vertices, triangles = _small_sheet()
     arrays = _core.rest_of(vertices, triangles.astype(np.int32))
     corners_of, _, evaluate, _ = build_elements(model, arrays)
@@ -198,7 +199,7 @@ def check_gradient(model):
         return
     element, corner, axis = np.unravel_index(wrong.argmax(), wrong.shape)
     raise ValueError(
-        f"{type(model).__name__}: the gradient is not that of the value. Element {element}, vertex {corner} "
+        f"{type(model).__name__}: this is not the gradient of the value. Element {element}, vertex {corner} "
         f"of {corners.shape[1]}, d/d{'xyz'[axis]}: returned {gradients[element, corner, axis]:.6g}, central "
         f"differences give {differences[element, corner, axis]:.6g}")
 
@@ -208,30 +209,30 @@ def check_gradient(model):
 def acceleration_of(effect, x, v, t, masses):
     """For the extension module: (V, 3) in m/s²."""
     if hasattr(effect, "acceleration"):
-        name, found = "acceleration", np.asarray(effect.acceleration(x, v, t), float)
-        return np.broadcast_to(_checked(found, x, effect, name), x.shape)
-    found = np.asarray(effect.force(x, v, t), float)
-    return np.broadcast_to(_checked(found, x, effect, "force"), x.shape) / np.asarray(masses)[:, None]
+        acceleration = np.asarray(effect.acceleration(x, v, t), float)
+        return np.broadcast_to(_checked(acceleration, x, effect, "acceleration"), x.shape)
+    force = np.asarray(effect.force(x, v, t), float)
+    return np.broadcast_to(_checked(force, x, effect, "force"), x.shape) / np.asarray(masses)[:, None]
 
 
-def _checked(found, x, effect, name):
-    if found.shape not in (x.shape, (3,)):
-        raise ValueError(f"{type(effect).__name__}.{name}() returned an array of the shape {found.shape}, "
+def _checked(vectors, x, effect, name):
+    if vectors.shape not in (x.shape, (3,)):
+        raise ValueError(f"{type(effect).__name__}.{name}() returned an array of the shape {vectors.shape}, "
                          f"expected {x.shape} or (3,)")
-    if not np.isfinite(found).all():
+    if not np.isfinite(vectors).all():
         raise ValueError(f"{type(effect).__name__}.{name}() returned a number that is not finite")
-    return found
+    return vectors
 
 
 # ---- measures
 
 class Measure:
-    """A measure of one's own, for runs that name it in "output": {"measures": […]}.
+    """Base class of your own measures. A run names a measure in "output": {"measures": […]}.
 
         class Height(bl.Measure):
             '''where the cloth is'''
-            columns = {"top": ("m", "largest z of the vertices")}            # of every frame
-            numbers = {"height": ("m", "mean z of the vertices at the end")}  # of the run
+            columns = {"top": ("m", "largest z of the vertices")}            # metrics of every frame
+            numbers = {"height": ("m", "mean z of the vertices at the end")}  # metrics of the run
 
             def begin(self, rest):         # may be left out; see Rest
                 self.area = rest.areas.sum()
@@ -242,8 +243,8 @@ class Measure:
             def finish(self, x):
                 return {"height": x[:, 2].mean()}
 
-    What a measure keeps from frame to frame has to be in its attributes, which pickle can write: a run that
-    was stopped goes on with them.
+    Everything that a measure keeps from frame to frame has to be in its attributes, and pickle has to be able
+    to write them: a run that was stopped goes on with them.
     """
 
     columns, numbers = {}, {}
@@ -252,7 +253,7 @@ class Measure:
         super().__init_subclass__(**arguments)
         for names, method in ((cls.columns, "frame"), (cls.numbers, "finish")):
             if names and not hasattr(cls, method):
-                raise TypeError(f"{cls.__name__} names numbers of {method}(), and has no method {method}()")
+                raise TypeError(f"{cls.__name__} names metrics of {method}(), but has no method {method}()")
         cls.name = snake_name(cls.__name__)
         rows = [[(name, *texts) for name, texts in names.items()] for names in (cls.columns, cls.numbers)]
         _core.register_measure(cls, about(cls), *rows)
@@ -269,14 +270,14 @@ def measured_frame(measure, x, t):
     return [float(value) for value in _named(measure, "frame", measure.frame(x, t), measure.columns)]
 
 
-def _named(measure, method, found, names):
+def _named(measure, method, metrics, names):
     """The values in the order of their names."""
-    if not isinstance(found, dict) or set(found) != set(names):
-        raise ValueError(f"{type(measure).__name__}.{method}() returned {found!r}, expected a dict of "
-                         f"{', '.join(names)}; None stands for a number that could not be found")
-    return [found[name] for name in names]
+    if not isinstance(metrics, dict) or set(metrics) != set(names):
+        raise ValueError(f"{type(measure).__name__}.{method}() returned {metrics!r}, expected a dict of "
+                         f"{', '.join(names)}; None stands for a metric that could not be computed")
+    return [metrics[name] for name in names]
 
 
 def measured_end(measure, x):
-    found = _named(measure, "finish", measure.finish(x), measure.numbers)
-    return [None if value is None else float(value) for value in found]
+    metrics = _named(measure, "finish", measure.finish(x), measure.numbers)
+    return [None if value is None else float(value) for value in metrics]

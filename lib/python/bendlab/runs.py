@@ -1,4 +1,4 @@
-"""Experiments: many runs at once, as `bendlab run` makes them, and their numbers as a table."""
+"""Experiments: many runs at once, as `bendlab run` makes them, and a table of their metrics."""
 import hashlib
 import json
 import sys
@@ -17,18 +17,20 @@ def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measu
     a structured array.
 
     config: a Scene, a dict as in a config file, or the path of one.
-    sweep: what to vary, {"/mesh/cells": [16, 32], "/bending": [bl.Crossover(), bl.DiscreteShells()]}, besides
-        what the config sweeps; the last one varies fastest. "mesh.cells" is "/mesh/cells".
-    jobs: runs side by side; 0: as many as there are cores.
-    out: folder of the run files; a run that is there and complete is not computed again, unless `force`.
-    name: of the experiment, a folder in `out`; a Scene's is "scene" if none is given.
-    measures: of one's own or on request, by name or class, besides those that every run has.
+    sweep: settings to vary, in addition to the config's own sweep:
+        {"/mesh/cells": [16, 32], "/bending": [bl.Crossover(), bl.DiscreteShells()]}. The last setting varies
+        fastest. "mesh.cells" is "/mesh/cells".
+    jobs: how many runs are computed at the same time; 0: as many as there are cores.
+    out: folder of the run files. A run that is there and complete is not computed again, unless `force`.
+    name: name of the experiment, which is a folder in `out`. A Scene without a name is called "scene".
+    measures: names or classes of measures to add to those that every run has: your own measures, or measures
+        that the program computes only on request.
     progress: shows on stderr how many runs are over.
 
-    Columns: the settings that vary; status, message, cpu_s (s), file; and the numbers of the runs (`bendlab
-    measures` says what they are). Raises ConfigError for a config that is wrong, with every problem. A run
-    that fails has its reason in `message`. Ctrl-C ends the runs after their current frame; the same call
-    again goes on.
+    Columns: the settings that vary; status, message, cpu_s (s), file; and the metrics of the runs, which
+    `bendlab measures` explains. Raises ConfigError, with every problem, for a config that is wrong. If a run
+    fails, `message` says why. Ctrl-C ends the runs after their current frame; the same call then continues
+    them.
     """
     if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 0:
         raise ValueError(f"jobs: expected a whole number of at least 0, got {jobs!r}")
@@ -37,7 +39,7 @@ def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measu
         settings["sweep"] = {**settings.get("sweep", {}),
                              **{_pointer(key): values for key, values in sweep.items()}}
     if measures:
-        output = settings["output"] = dict(settings.get("output", {}))  # the caller's stays as it is
+        output = settings["output"] = dict(settings.get("output", {}))  # the caller's dict stays unchanged
         listed = [measures] if isinstance(measures, str) or not hasattr(measures, "__iter__") else measures
         output["measures"] = [*output.get("measures", []), *map(_measure_name, listed)]
     rows = _core.run(json.dumps(settings, default=plain), str(source), str(out), jobs, force,
@@ -49,7 +51,7 @@ def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measu
 
 
 def _settings_of(config, name, out):
-    """(config as a dict, path of the file that relative paths start from or "")"""
+    """(config as a dict, path of the file from which relative paths start, or "")"""
     if isinstance(config, Scene):
         settings = config._config()
         settings.update(name=name or "scene", duration=config.duration)
@@ -64,8 +66,8 @@ def _settings_of(config, name, out):
 
 
 def _written(vertices, triangles, folder):
-    """The path of a mesh file, which a run can be repeated from. Coordinates have enough digits to be read
-    back as the same numbers."""
+    """Writes a mesh file, from which a run can be repeated, and returns its path. Coordinates have enough
+    digits to be read back as the same numbers."""
     lines = [*("v " + " ".join(map(repr, row)) for row in vertices.tolist()),
              *("f " + " ".join(str(corner + 1) for corner in row) for row in triangles.tolist())]
     text = "\n".join(lines) + "\n"
@@ -83,17 +85,17 @@ def _measure_name(measure):
     if isinstance(measure, str):
         return measure
     if not (isinstance(measure, type) and issubclass(measure, own.Measure)):
-        raise TypeError(f"measures: expected names, or classes of measures, got {measure!r}")
+        raise TypeError(f"measures: expected names or classes of measures, got {measure!r}")
     return measure.name
 
 
 def _warn(rows):
-    """Each kind of warning once, with the runs that have it."""
-    found = {}
+    """Gives each kind of warning once, with the number of runs that have it."""
+    texts = {}
     for row in rows:
         for code, message in row.get("warnings", ()):
-            found.setdefault(code, []).append(message)
-    for code, messages in found.items():
+            texts.setdefault(code, []).append(message)
+    for code, messages in texts.items():
         warnings.warn(f"{code}, {len(messages)} of {len(rows)} runs: {messages[0]}", stacklevel=3)
 
 
@@ -105,16 +107,16 @@ def _show(over, count, last=[None]):
 
 
 def _table(rows):
-    """The rows with a column for each setting that varies and for each number."""
+    """The rows, with a column for each setting that varies and for each metric."""
     pointers = list(dict.fromkeys(pointer for row in rows for pointer in row["point"]))
     last = [pointer.rsplit("/", 1)[-1] for pointer in pointers]
     names = {pointer: short if last.count(short) == 1 else pointer for pointer, short in zip(pointers, last)}
-    numbers = list(dict.fromkeys(name for row in rows for name in row.get("summary", {})))
+    metrics = list(dict.fromkeys(name for row in rows for name in row.get("summary", {})))
     columns = {names[pointer]: [_cell(row["point"].get(pointer)) for row in rows] for pointer in pointers}
     for name, missing in (("status", ""), ("message", ""), ("cpu_s", np.nan), ("file", "")):
         columns[name] = [row.get(name, missing) for row in rows]
-    for number in numbers:
-        columns.setdefault(number, [row.get("summary", {}).get(number, np.nan) for row in rows])
+    for metric in metrics:
+        columns.setdefault(metric, [row.get("summary", {}).get(metric, np.nan) for row in rows])
     try:
         import pandas
     except ImportError:
@@ -127,5 +129,5 @@ def _table(rows):
 
 
 def _cell(value):
-    """A swept value as a cell: a whole object as JSON."""
+    """A swept value as a cell of the table; a list or an object as JSON."""
     return json.dumps(value) if isinstance(value, (dict, list)) else value

@@ -44,7 +44,7 @@ def _checked(vertices, triangles):
         raise ValueError(f"vertex {np.flatnonzero(~np.isfinite(points).all(axis=1))[0]} is not finite")
     outside = np.flatnonzero(((corners < 0) | (corners >= len(points))).any(axis=1))
     if len(outside):
-        raise ValueError(f"triangle {outside[0]} is {corners[outside[0]].tolist()}, and vertices are 0 to "
+        raise ValueError(f"triangle {outside[0]} is {corners[outside[0]].tolist()}, but vertices are 0 to "
                          f"{len(points) - 1}")
     return points, corners
 
@@ -57,7 +57,7 @@ def grid(width, height, cells, diagonal="same"):
 def _effects(value):
     if not isinstance(value, (list, tuple)):
         raise TypeError(f"expected a list of effects, got {value!r}")
-    return [_effect(each) for each in value]
+    return [_effect(effect) for effect in value]
 
 
 Pins = make_class("Pins", [PARTS["pins"]])
@@ -66,8 +66,8 @@ Initial = make_class("Initial", [PARTS["initial"]])
 
 
 def _instance(wanted, what):
-    """Converts what is assigned to a part: an object of that class, or an error that says what is
-    expected."""
+    """A converter for values that are assigned to a part: it returns an object of the class `wanted`, and
+    raises an error that says `what` is expected for any other value."""
     def convert(value):
         if not isinstance(value, wanted):
             raise TypeError(f"expected {what}, got {value!r}")
@@ -76,7 +76,7 @@ def _instance(wanted, what):
 
 
 def _pins(value):
-    """Pins, or places by name and vertices by number: a list of them, or only one."""
+    """Pins from a value: Pins, or places by name and vertices by index, as a list or a single value."""
     if isinstance(value, Pins):
         return value
     if isinstance(value, (str, int)):
@@ -100,15 +100,15 @@ class Material(make_class("Material", [PARTS["material"]])):
 
 
 class Scene(make_class("Scene", [SCENE])):
-    """What a simulation is made from. Everything has a default: Scene() is a sheet of 1 m that hangs from a
-    corner in air. `folder`: files of the scene are relative to it."""
+    """All settings of a simulation. Every setting has a default: Scene() is a sheet of 1 m that hangs from a
+    corner in air. The scene's files are relative to `folder`."""
 
     mesh = Part(_instance(Mesh, "Mesh(…) or grid(…)"), PARTS["mesh"].meaning)
     pins = Part(_pins, PARTS["pins"].meaning)
     material = Part(_instance(Material, "Material(…)"), PARTS["material"].meaning)
     bending = Part(_instance(Model, f"a bending model: {', '.join(MODELS)}"), "The bending model")
     solver = Part(_instance(Method, f"a solver method: {', '.join(METHODS)}"), "The solver method")
-    effects = Part(_effects, "What acts on the cloth besides its constraints")
+    effects = Part(_effects, "The effects that act on the cloth besides its constraints")
     initial = Part(_instance(Initial, "Initial(…)"), PARTS["initial"].meaning)
 
     _classes = {"mesh": Mesh, "pins": Pins, "material": Material, "bending": MODELS["DiscreteShells"],
@@ -124,8 +124,8 @@ class Scene(make_class("Scene", [SCENE])):
             setattr(self, name, value)
 
     def config(self):
-        """The scene as a config of `bendlab run`: what is stated, and not the defaults. Raises ValueError for
-        a mesh from arrays, which has no place in a config; run() takes the scene itself."""
+        """The scene as a config of `bendlab run`, without the defaults. Raises ValueError for a mesh from
+        arrays, which has no place in a config; run() takes the scene itself."""
         if self.mesh._arrays:
             raise ValueError("a mesh from arrays has no place in a config: give run() the scene, or write "
                              "the mesh to a file and name it, Mesh(file=…)")
@@ -156,7 +156,7 @@ _effect = _instance(Effect, f"an effect: {', '.join(EFFECTS)}")
 
 class Cloth(_core.Cloth):
     """A cloth that moves. The cloth's arrays are views of memory that is filled anew whenever the array is
-    read from the cloth again: copy() keeps a state. They stay valid after the cloth is gone."""
+    read from the cloth again: copy() keeps a state. The arrays stay valid after the cloth is gone."""
 
     def __init__(self, scene):
         if not isinstance(scene, Scene):
@@ -181,9 +181,9 @@ class Cloth(_core.Cloth):
         return f"<Cloth of {len(self.masses)} vertices at {self.time:.6g} s>"
 
     def run(self, seconds, progress=False):
-        """Steps until that many seconds are over, or further steps would change nothing. Ctrl-C ends it
-        between two steps. `progress` shows on stderr how far it is, or is a function of the share that is
-        done."""
+        """Steps until that many seconds are over, or further steps would change nothing. Ctrl-C ends this
+        call between two steps. `progress`: True shows on stderr which share is done; a function is called
+        with that share."""
         show = progress if callable(progress) else _show if progress else None
         super().run(seconds, show)
         if show is _show:

@@ -1,4 +1,4 @@
-"""Classes of settings, made from the program's tables of fields: there is no second list of them."""
+"""Classes of settings, made from the program's tables of fields: there is no second list of settings."""
 import difflib
 import json
 import keyword
@@ -13,7 +13,7 @@ def class_name(name):
 
 
 def plain(value):
-    """Settings, and NumPy's numbers and arrays, for json.dumps()."""
+    """Converts settings, and NumPy's numbers and arrays, for json.dumps()."""
     if isinstance(value, (Model, Method, Effect)):
         return value._config()
     if isinstance(value, Settings):
@@ -33,9 +33,9 @@ def _documentation(field):
 
 class Settings:
     """Settings with their defaults. A setting that does not exist, or a value that it cannot have, raises
-    ConfigError with its pointer and what is allowed."""
+    ConfigError with the setting's pointer and the allowed values."""
 
-    _tables = ()  # own settings first, then those that it shares with others of its family
+    _tables = ()  # the class's own settings, then those that its whole family has
 
     def __init__(self, **values):
         object.__setattr__(self, "_given", {})
@@ -53,14 +53,14 @@ class Settings:
             text = json.dumps(value, default=plain, allow_nan=False)
         except ValueError:
             raise _error(type(self), name, f"{value!r} has a number that is not finite") from None
-        found = table.read(name, text)
-        self._given[name] = tuple(found) if isinstance(found, list) else found
+        checked = table.read(name, text)
+        self._given[name] = tuple(checked) if isinstance(checked, list) else checked
 
     def _get(self, name):
         if name in self._given:
             return self._given[name]
-        found = next(table.defaults[name] for table in self._tables if name in table.defaults)
-        return tuple(found) if isinstance(found, list) else found
+        default = next(table.defaults[name] for table in self._tables if name in table.defaults)
+        return tuple(default) if isinstance(default, list) else default
 
     def _stated(self, table):
         """The given settings of a table, for JSON."""
@@ -76,7 +76,7 @@ class Settings:
         return all(self._get(name) == other._get(name) for name in names) and self._parts() == other._parts()
 
     def _parts(self):
-        """Members that are settings themselves, for comparisons."""
+        """Members that have settings of their own, for comparisons."""
         cls = type(self)
         return [getattr(self, name) for name in dir(cls) if isinstance(getattr(cls, name), Part)]
 
@@ -103,7 +103,7 @@ def _error(cls, name, text):
 
 
 class Part:
-    """A member of a scene that is itself settings: `convert` makes it of what is assigned."""
+    """A member of a scene that has settings of its own: `convert` turns an assigned value into it."""
 
     def __init__(self, convert, meaning):
         self._convert, self.__doc__ = convert, meaning
@@ -140,7 +140,7 @@ class _Table:
         return self._program.read(self.key(name), text)
 
     def beside(self, table):
-        """This table for a class that has the settings of `table`, too."""
+        """This table, for a class that has the settings of `table`, too."""
         taken = set(self.defaults) & set(table.defaults)
         return _Table(self._program, taken) if taken else self
 
@@ -157,7 +157,7 @@ def _class_documentation(tables, first):
 
 
 def make_class(name, tables, base=Settings):
-    """A class of settings that these tables have. Its documentation lists them."""
+    """A class that has the settings of these tables. Its documentation lists the settings."""
     members = {field["name"]: _property(field) for table in reversed(tables) for field in table.fields}
     text = _class_documentation(tables, tables[0].meaning[:1].upper() + tables[0].meaning[1:] + ".")
     return type(name, (base,), {"_tables": tuple(tables), "__doc__": text, "__module__": "bendlab",
@@ -177,8 +177,8 @@ def base_of(cls):
 
 
 def _require_current(member):
-    """The program knows classes by their names: when a class is defined again, the new class takes the place
-    of the old class."""
+    """The program knows classes by their names: when a class is defined again, the new class replaces the
+    old class."""
     current = _CURRENT.get((base_of(type(member)), member._name), type(member))
     if current is not type(member):
         raise TypeError(f"{type(member).__name__} was defined again after this scene was made: make the "
@@ -190,16 +190,16 @@ def _read_own(cls, register, tables, shared):
     taken = [row["name"] for row in own.setting_rows(cls) for table in shared
              if row["name"] in table.defaults]
     if taken:
-        raise TypeError(f"{cls.__name__}: {taken[0]} is a setting that all of its family have: choose "
+        raise TypeError(f"{cls.__name__}: {taken[0]} is a setting that every class of its family has: choose "
                         "another name")
     cls._rows = {**getattr(cls, "_rows", {}), **{row["name"]: row for row in own.setting_rows(cls)}}
     register(cls, own.about(cls), list(cls._rows.values()))
     cls._name = own.snake_name(cls.__name__)
     _CURRENT[base_of(cls), cls._name] = cls
-    table = next(_Table(each) for each in tables() if each.name == cls._name)
-    cls._tables = (table, *(each.beside(table) for each in shared))
-    for each in cls._tables:
-        for field in each.fields:
+    table = next(_Table(listed) for listed in tables() if listed.name == cls._name)
+    cls._tables = (table, *(other.beside(table) for other in shared))
+    for own_or_shared in cls._tables:
+        for field in own_or_shared.fields:
             setattr(cls, field["name"], _property(field))
     cls.__doc__ = _class_documentation(cls._tables, cls.__doc__)
 
@@ -207,7 +207,7 @@ def _read_own(cls, register, tables, shared):
 class Model(Settings):
     """A bending model: its own settings, and those that all models share.
 
-    A model of one's own is a subclass, which Scene and run() know by its name in snake case:
+    Your own model is a subclass, which Scene and run() know by its name in snake case:
 
         class Opposite(bl.Model):
             '''the square of the distance across every edge'''
@@ -223,12 +223,12 @@ class Model(Settings):
                 value = (d ** 2).sum(axis=1) - rest.square
                 return self.factor * value, self.factor * np.stack([-2 * d, 2 * d], axis=1)
 
-    It returns C, (n), and its gradient, (n, k, 3); the energy is ½ C² / α.
+    `constraint` returns C, (n), and its gradient, (n, k, 3); the energy is ½ C² / α.
 
     Instead of `constraint`, a model may have `energy(self, x, rest)`, which returns U and its gradient; the
-    energy of an element is then U / α. `rest` has the arrays that were
-    given to Elements, for these n elements. Values may not depend on where an element is. An element whose
-    value is NaN does not act. When the class is read, its gradient is compared with differences.
+    energy of an element is then U / α. `rest` has the arrays that were given to Elements, for these n
+    elements. Values may not depend on where an element is. An element whose value is NaN does not act. When
+    Python reads the class, bendlab compares its gradient with finite differences.
     """
 
     def __init_subclass__(cls, **arguments):
@@ -258,9 +258,9 @@ class Method(Settings):
 
 
 class Effect(Settings):
-    """What acts on the cloth besides its constraints.
+    """An effect acts on the cloth besides its constraints.
 
-    An effect of one's own is a subclass, which Scene and run() know by its name in snake case:
+    Your own effect is a subclass, which Scene and run() know by its name in snake case:
 
         class Trap(bl.Effect):
             '''pulls every vertex to the origin'''
@@ -270,9 +270,9 @@ class Effect(Settings):
                 return -(2 * np.pi * self.frequency) ** 2 * x
 
     Instead of `acceleration` (m/s²) an effect may have `force` (N). Both return (V, 3), or (3,) for all
-    vertices, and are asked at the start of every substep. Attributes of the class say what it is: `damps =
-    True` if the effect only slows the cloth, `keeps_momentum = True` if it leaves the cloth's linear momentum
-    unchanged.
+    vertices, and are called at the start of every substep. Attributes of the class state traits of the
+    effect: `damps = True` if the effect only slows the cloth, `keeps_momentum = True` if it leaves the
+    cloth's linear momentum unchanged.
     """
 
     def __init_subclass__(cls, **arguments):
@@ -290,7 +290,7 @@ class Effect(Settings):
 
 def _family(tables, base, *shared):
     tables = [_Table(table) for table in tables]
-    classes = [make_class(class_name(table.name), [table, *(each.beside(table) for each in shared)], base)
+    classes = [make_class(class_name(table.name), [table, *(other.beside(table) for other in shared)], base)
                for table in tables]
     return {made.__name__: made for made in classes}
 

@@ -1,4 +1,4 @@
-// The whole of bendlab, with what is ours.
+// The bendlab program with the additions of mine.hpp.
 #include "experiments/campaign/campaign.hpp"
 #include "experiments/cli/command_line.hpp"
 #include "mine.hpp"

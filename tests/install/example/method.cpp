@@ -36,7 +36,7 @@ constexpr std::array passes = {MethodPass{"move", "v += h f / m, then x += h v"}
 
 const MethodKind SymplecticEuler::kind{
     .name = "symplectic_euler",
-    .summary = "forces at the start of a substep change velocities, and these positions",
+    .summary = "forces at the start of a substep change velocities, then velocities change positions",
     .limits = "stable only while substeps resolve the fastest oscillation of the mesh",
     .settings = table_of<SymplecticEuler>({}),
     .passes = passes,

@@ -1,4 +1,5 @@
-// A bending model, an effect, a solver method and a measure of our own: a file for each.
+// A bending model, an effect, a solver method and a measure that are added to the program, each in its own
+// file.
 #pragma once
 
 #include "bendlab/bendlab.hpp"

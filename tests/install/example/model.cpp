@@ -19,6 +19,6 @@ BendingConstraints build(const EdgeHinge& settings, const BendingInput& input) {
 const BendingKind EdgeHinge::kind{
     .name = "edge_hinge",
     .label = "edge hinge",
-    .summary = "the fold angle at every interior edge, as stiff as a power of the edge's length",
+    .summary = "the fold angle at every interior edge; stiffness is a power of the edge's length",
     .settings = table_of<EdgeHinge>(fields),
     .build = erased<build>};

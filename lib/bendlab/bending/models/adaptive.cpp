@@ -20,11 +20,12 @@ constinit const BendingKind Adaptive::kind{
     .name = "adaptive",
     .label = "adaptive",
     .summary =
-        "springs to rings 1 … m of free and 1 … n of pinned vertices, levels from the mesh's resolution",
+        "springs to rings 1 … m of free vertices and 1 … n of pinned vertices; m and n follow from the "
+        "mesh's resolution",
     .source = "Kim, eqs. 6-8 and Fig. 3",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; with m = 1 (coarse "
-        "meshes) free vertices have no bending at all",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; with "
+        "m = 1 (coarse meshes) free vertices do not resist bending at all",
     .compliance = "1 / k of every spring, k in N/m",
     .settings = table_of<Adaptive>(fields),
     .springs_only = true,

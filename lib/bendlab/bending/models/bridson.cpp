@@ -24,9 +24,9 @@ constinit const BendingKind Bridson::kind{
     .source = "Bridson et al. 2003, §4, elastic part, as XPBD",
     .limits =
         "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on it "
-        "overshoots as dihedral does; weights from the rest shape, where the paper takes the current one; "
-        "physical: bent a little it has 0.75 of the stated rigidity on alternating diagonals and 0.93 on "
-        "irregular meshes, see /bending/deflection",
+        "overshoots as dihedral does; takes the weights from the rest shape, while the paper takes them from "
+        "the current shape; with physical stiffness, a sheet that is bent a little has 0.75 of the stated "
+        "rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
     .settings = table_of<Bridson>({}),
     .softness_needs_compliance = true,

@@ -12,11 +12,10 @@ constexpr std::array fields = {
                           .meaning = "edges between the vertices that a spring joins",
                           .minimum = 2,
                           .maximum = 1000}),
-    field<&ChoiKo::force>(
-        {.name = "force",
-         .meaning = "the push of a buckled arc, or the polynomial of degree 4 that stands for it in cloth "
-                    "solvers (within 1.6 %); with k both are the same",
-         .choices = ArcSpring::law_names}),
+    field<&ChoiKo::force>({.name = "force",
+                           .meaning = "the push of a buckled arc, or the polynomial of degree 4 by which "
+                                      "cloth solvers replace it (within 1.6 %); with k both are the same",
+                           .choices = ArcSpring::law_names}),
 };
 
 BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
@@ -34,10 +33,11 @@ BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
   }
   // Segments a width b apart would have the flexural rigidity k_b / b if the sheet between their ends were an
   // arc. But edges of a mesh stay straight: t edges of length a, bent to curvature κ, shorten by (1 - 1/t²)
-  // times L³ κ²/24, that of an arc of length L = t a; U = 12 k_b (1 - r/L)/L falls by the same factor.
+  // times L³ κ²/24, the shortening of an arc of length L = t a. The energy U = 12 k_b (1 - r/L)/L falls by
+  // the same factor.
   constraints.facts = {{"ring", static_cast<double>(ring), "edges between the vertices that a spring joins"},
                        {"rigidity_factor", 1 - 1.0 / (ring * ring),
-                        "of the flexural rigidity k_b / width that an arc would have"}};
+                        "share of the flexural rigidity k_b / width that an arc would have"}};
   return constraints;
 }
 
@@ -47,12 +47,13 @@ constinit const BendingKind ChoiKo::kind{
     .name = "choi_ko",
     .label = "Choi-Ko",
     .summary =
-        "post-buckling springs: vertices two apart push like the ends of a buckled arc, and never pull",
-    .source = "Choi and Ko 2002, §4.2; solved with the jump at r = L, as XPBD",
+        "post-buckling springs: vertices two edges apart push like the ends of a buckled arc, and never pull",
+    .source = "Choi and Ko 2002, §4.2; solved with the jump of the force at r = L, as XPBD",
     .limits =
-        "never pulls: a curved rest shape may open freely, the fold's direction is not known, and a membrane "
-        "that fails by itself fails with it too; straight up to 12 k_b/L² (an arc buckles at 9.87); rigidity "
-        "depends on the directions of the mesh's lines; with k it is a one-sided distance constraint",
+        "never pulls: a curved rest shape may open freely, and a membrane that fails without bending fails "
+        "with this model, too; does not distinguish the two directions of a fold; segments stay straight up "
+        "to a push of 12 k_b/L² (an arc buckles at 9.87 k_b/L²); the rigidity depends on the directions of "
+        "the mesh's lines; with k it is a one-sided distance constraint",
     .compliance =
         "1 / k_b, k_b in N m² (flexural rigidity 3/4 k_b / width for one line of segments at ring 2)",
     .settings = table_of<ChoiKo>(fields),

@@ -33,16 +33,16 @@ std::vector<std::array<int, 2>> opposite_pairs(const RestMesh& rest) {
   return pairs;
 }
 
-// Two interior edges can have the same two opposite vertices (those of crossed diagonals, for example). They
-// get one spring, because a second would only double k: the first of the list.
+// Two interior edges can have the same two opposite vertices (crossed diagonals, for example). Such a pair
+// keeps its first spring in the list, because a second spring would only double k.
 std::vector<std::array<int, 2>> without_repeats(std::vector<std::array<int, 2>> pairs) {
   std::set<std::array<int, 2>> seen;
   std::erase_if(pairs, [&](const std::array<int, 2>& pair) { return !seen.insert(pair).second; });
   return pairs;
 }
 
-// The neighbour of `vertex` that best continues the line from `from` through it, or -1 if none is within 30
-// degrees.
+// The neighbour of `vertex` that best continues the line from `from` through `vertex`, or -1 if no neighbour
+// is within 30 degrees of that line.
 int straight_ahead(const RestMesh& rest, int vertex, int from) {
   const double least_straight = std::cos(30 * 3.14159265358979323846 / 180);
   const Vector3 direction = (rest.position(vertex) - rest.position(from)).normalized();
@@ -85,8 +85,8 @@ constinit const BendingKind Crossover::kind{
     .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
     .source = "Kim, Fig. 2; Choi and Ko 2002; Bridson et al. 2003; Kang and Cho 2002",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction, softer on finer "
-        "meshes",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
+        "softer on finer meshes",
     .compliance = "1 / k of every spring, k in N/m",
     .settings = table_of<Crossover>(fields),
     .springs_only = true,

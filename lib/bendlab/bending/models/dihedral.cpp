@@ -10,9 +10,9 @@ constexpr std::array<std::string_view, 2> weights = {"uniform", "area"};
 constexpr std::array fields = {
     field<&Dihedral::weight>(
         {.name = "weight",
-         .meaning =
-             "XPBD: every hinge alike (energy ½ k (θ - θ0)², flexural rigidity √3/2 k on equilateral "
-             "triangles), or times edge² / area of both triangles (flexural rigidity k at any resolution)",
+         .meaning = "weight of a hinge with XPBD: the same for every hinge (energy ½ k (θ - θ0)², flexural "
+                    "rigidity √3/2 k on equilateral triangles), or edge² / area of both triangles (flexural "
+                    "rigidity k at any resolution)",
          .choices = weights}),
 };
 
@@ -34,9 +34,9 @@ constinit const BendingKind Dihedral::kind{
     .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
     .limits =
         "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on hinges "
-        "that share vertices overshoot and throw the sheet about; a fold of more than 180 degrees is seen as "
-        "one to the other side; physical: bent a little it has 0.75 of the stated rigidity on alternating "
-        "diagonals and 0.93 on irregular meshes, see /bending/deflection",
+        "that share vertices overshoot and throw the sheet about; a fold of more than 180 degrees counts as "
+        "a fold to the other side; with physical stiffness, a sheet that is bent a little has 0.75 of the "
+        "stated rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .settings = table_of<Dihedral>(fields),
     .softness_needs_compliance = true,

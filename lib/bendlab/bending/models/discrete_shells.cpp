@@ -7,8 +7,8 @@ namespace {
 
 BendingConstraints build(const DiscreteShells&, const BendingInput& input) {
   BendingConstraints constraints;
-  // E = K (θ - θ0)² edge / height, height a third of the mean one: K · 3 edge² / area (θ - θ0)². Its flexural
-  // rigidity on equilateral triangles is D = 6 K.
+  // E = K (θ - θ0)² edge / height, where height is a third of the mean height of both triangles, so E = K · 3
+  // edge² / area (θ - θ0)². The flexural rigidity on equilateral triangles is D = 6 K.
   std::get<ElementList<HingeAngle>>(constraints.elements) =
       angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
                         [](const RestHinge& h) { return h.area / (h.edge * h.edge); });
@@ -23,10 +23,10 @@ constinit const BendingKind DiscreteShells::kind{
     .summary = "hinge energy ∝ (θ - θ0)² edge² / area over every interior edge",
     .source = "Grinspun et al. 2003, eq. 3, as XPBD (Macklin et al. 2016)",
     .limits =
-        "its flexural rigidity depends on the mesh (1.3 to 1.7 times the given one on irregular ones); "
-        "with k the weights have no effect, and from k = 0.7 on it overshoots as dihedral does; physical: "
-        "bent a little it has 0.75 of the stated rigidity on alternating diagonals and 0.93 on irregular "
-        "meshes, see /bending/deflection",
+        "its flexural rigidity depends on the mesh (1.3 to 1.7 times the stated rigidity on irregular "
+        "meshes); with k the weights have no effect, and from k = 0.7 on it overshoots as dihedral does; "
+        "with physical stiffness, a sheet that is bent a little has 0.75 of the stated rigidity on "
+        "alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance =
         "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
     .settings = table_of<DiscreteShells>({}),

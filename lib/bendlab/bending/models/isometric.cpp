@@ -37,7 +37,7 @@ BendingConstraints build(const Isometric& settings, const BendingInput& input) {
     const std::array<double, 4> k = weights_of(h);
     Vector3 bend = Vector3::Zero();
     for (std::size_t i = 1; i < 4; ++i) bend += k[i] * (h.position[i] - h.position[0]);
-    // Rounding of the sum is no rest curvature: flat hinges get exactly 0.
+    // Rounding of the sum must not count as rest curvature, so flat hinges get exactly 0.
     const double rest_bend = bend.norm() > 1e-12 * h.edge ? bend.norm() : 0;
     list.vertices.push_back(h.vertices);
     list.rest.push_back({k[0], k[1], k[2], k[3], rest_bend, h.edge});
@@ -56,10 +56,10 @@ constinit const BendingKind Isometric::kind{
     .summary = "quadratic bending energy with the cotangents of the rest shape, over every interior edge",
     .source = "Bergou et al. 2006, eqs. 2 to 5; constraint as |Kx|",
     .limits =
-        "moment ∝ sin θ: nothing unfolds a sheet folded flat onto itself; knows no direction, so a curved "
-        "rest shape may snap to the other side; assumes that triangles keep their shape; physical: bent a "
-        "little it has 0.75 of the stated rigidity on alternating diagonals and 0.93 on irregular meshes, "
-        "see /bending/deflection",
+        "moment ∝ sin θ, so nothing unfolds a sheet that is folded flat onto itself; does not distinguish "
+        "the two directions of a fold, so a curved rest shape may snap to the other side; assumes that "
+        "triangles keep their shape; with physical stiffness, a sheet that is bent a little has 0.75 of the "
+        "stated rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
     .settings = table_of<Isometric>(fields),
     .softness_needs_compliance = true,

@@ -5,18 +5,21 @@ namespace bendlab {
 namespace {
 
 constexpr std::array own_fields = {
-    field<&KRing::k>({.name = "k",
-                      .unit = "1",
-                      .meaning = "level of every vertex; 1 joins only the mesh's own edges",
-                      .minimum = 1,
-                      .maximum = 1000}),
+    field<&KRing::k>(
+        {.name = "k",
+         .unit = "1",
+         .meaning =
+             "the farthest ring that springs of a vertex reach; with 1 they lie only on the mesh's own edges",
+         .minimum = 1,
+         .maximum = 1000}),
 };
 constexpr auto fields = joined(own_fields, ring_fill_field<KRing>, ring_rule_fields<KRing>);
 
 BendingConstraints build(const KRing& settings, const BendingInput& input) {
   const std::vector<int> levels(static_cast<std::size_t>(input.rest.vertex_count()), settings.k);
-  return {.distance = ring_springs(input, levels, ring_rule(settings, settings.rings)),
-          .facts = {{"k", static_cast<double>(settings.k), "level of every vertex"}}};
+  return {
+      .distance = ring_springs(input, levels, ring_rule(settings, settings.rings)),
+      .facts = {{"k", static_cast<double>(settings.k), "the farthest ring that springs of a vertex reach"}}};
 }
 
 }  // namespace
@@ -27,8 +30,8 @@ constinit const BendingKind KRing::kind{
     .summary = "springs from every vertex to its rings 1 … k, or to ring k alone",
     .source = "Kim, Fig. 3, with one fixed level",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction, softer on finer "
-        "meshes",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
+        "softer on finer meshes",
     .compliance = "1 / k of every spring, k in N/m",
     .settings = table_of<KRing>(fields),
     .springs_only = true,

@@ -5,17 +5,16 @@ namespace bendlab {
 namespace {
 
 constexpr std::array own_fields = {
-    field<&Lod::t>(
-        {.name = "t",
-         .unit = "1",
-         .meaning =
-             "target level, for every vertex; the paper wants it in [m, n]; 0 takes m for free and n for "
-             "pinned vertices",
-         .minimum = 0,
-         .maximum = 1000}),
+    field<&Lod::t>({.name = "t",
+                    .unit = "1",
+                    .meaning = "LOD level of every vertex, in the paper's range [m, n]; 0: m for free "
+                               "vertices and n for pinned vertices",
+                    .minimum = 0,
+                    .maximum = 1000}),
     field<&Lod::ring_1>(
         {.name = "ring_1",
-         .meaning = "also springs to ring 1, the mesh's own edges; the paper names ring t alone"}),
+         .meaning =
+             "whether springs to ring 1, the mesh's own edges, are added; the paper names ring t alone"}),
 };
 constexpr auto fields = joined(own_fields, level_fields<Lod>, ring_rule_fields<Lod>);
 
@@ -32,7 +31,8 @@ BendingConstraints build(const Lod& settings, const BendingInput& input) {
       rule_of(settings));
   constraints.facts = facts_of(levels);
   constraints.facts.push_back(
-      {"t", static_cast<double>(t), "fixed target level; 0: m for free, n for pinned vertices"});
+      {"t", static_cast<double>(t),
+       "LOD level of every vertex; 0: m for free vertices and n for pinned vertices"});
   return constraints;
 }
 
@@ -44,8 +44,8 @@ constinit const BendingKind Lod::kind{
     .summary = "springs only to the vertices exactly t rings away",
     .source = "Kim, §II.4 and Fig. 4",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; wrinkles shorter "
-        "than t edges can escape the long springs",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
+        "wrinkles shorter than t edges can escape the long springs",
     .compliance = "1 / k of every spring, k in N/m",
     .settings = table_of<Lod>(fields),
     .springs_only = true,

@@ -6,9 +6,9 @@ namespace bendlab {
 constinit const BendingKind None::kind{
     .name = "none",
     .label = "no bending",
-    .summary = "no bending constraints; the control beside every other model",
+    .summary = "no bending constraints; the control for every other model",
     .source = "control",
-    .limits = "resists no bending, but for what the membrane resists by itself on some meshes",
+    .limits = "does not resist bending, except that on some meshes the membrane itself does",
     .compliance = "no constraints",
     .settings = table_of<None>({}),
     .bends = false,

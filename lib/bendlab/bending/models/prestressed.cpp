@@ -1,10 +1,10 @@
 // Springs that push already in the flat sheet: distance springs with a linear bending stiffness.
 //
 // A spring of rest length L (1 + e) between points L apart has the energy ½ (e L + δ)² / α once bending has
-// shortened it by δ = κ² L³ / 24. Its part that is linear in δ, e L δ / α, is quadratic in κ: a moment B κ. A
-// spring at rest has only ½ δ² / α and the moment C κ³. The two are equal at κ L = sqrt(48 e). The membrane
-// holds the sheet against the push. As far as it gives way, the sheet grows: by about the share e if strain
-// is projected with k.
+// shortened it by δ = κ² L³ / 24. The part e L δ / α, which is linear in δ, is quadratic in κ: it gives a
+// moment B κ. A spring at rest has only the part ½ δ² / α and the moment C κ³. The two parts are equal at κ L
+// = sqrt(48 e). The membrane holds the sheet against the push. As far as it gives way, the sheet grows: by
+// about the share e if strain is projected with k.
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
@@ -14,9 +14,9 @@ constexpr std::array own_fields = {
     field<&Prestressed::excess>(
         {.name = "excess",
          .unit = "1",
-         .meaning =
-             "how much longer than its pair's distance a spring is at rest, relative to it: the moment is "
-             "linear up to curvatures of about sqrt(48 excess) / the springs' length, cubic beyond",
+         .meaning = "how much longer a spring is at rest than the distance of its vertices, relative to that "
+                    "distance; the moment is linear up to curvatures of about sqrt(48 excess) / the springs' "
+                    "length, and cubic beyond",
          .minimum = 1e-6,
          .maximum = 100}),
 };
@@ -30,14 +30,15 @@ BendingConstraints build(const Prestressed& settings, const BendingInput& input)
 }
 
 // With k, springs that are longer at rest by an excess e stretch a sound sheet. Mean strain of a sheet of 20
-// cells pinned at two corners, 4 × 10 (without bending 0.007):
+// cells pinned at two corners, with 4 substeps × 10 iterations (without bending 0.007):
 //
 //   e              0.02    0.05    0.1     0.2     0.5
 //   k = 0.1        0.016   0.032   0.060   0.117   0.293
 //   k = 0.5        0.028   0.060   0.114   0.227   0.627
 //   k = 1          0.031   0.068   0.129   0.257   0.684
 double strain_of_k(const Prestressed& settings, double k) {
-  constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;  // of the excess: the columns of the table
+  // Mean strain divided by e, from the rows of the table.
+  constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;
   return settings.excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
 }
 
@@ -47,21 +48,22 @@ constinit const BendingKind Prestressed::kind{
     .name = "prestressed",
     .label = "prestressed",
     .summary =
-        "the springs of sparse_lod, longer at rest than their pairs are apart: they push in the flat sheet",
+        "the springs of sparse_lod, but longer at rest than the distance of their vertices, so that they "
+        "push in the flat sheet",
     .source = "bendlab's own",
     .limits =
-        "the sheet grows as far as the membrane gives way (with k by about the excess); does not know the "
-        "fold's direction; wrinkles shorter than t edges can escape the long springs; physical: an excess "
-        "that the solver cannot hold is lowered, see excess_taken",
+        "the sheet grows as far as the membrane gives way (with k by about the excess); does not distinguish "
+        "the two directions of a fold; wrinkles shorter than t edges can escape the long springs; with "
+        "physical stiffness, an excess that the solver cannot hold is lowered (see excess_taken)",
     .compliance =
-        "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
+        "1 / k of a spring as long as t mean edges, k in N/m; springs of other lengths are weighted so that "
+        "all springs resist bending alike",
     .settings = table_of<Prestressed>(fields),
     .springs_only = true,
     .prestressed = true,
     .softness_needs_compliance = true,
     .strain_of_k = erased<strain_of_k>,
-    .strain_of_k_remedy =
-        "A smaller /bending/prestressed/excess helps: in tests 0.02 left a mean strain of 0.03",
+    .strain_of_k_remedy = "A smaller /bending/prestressed/excess helps",
     .build = erased<build>,
 };
 }  // namespace bendlab

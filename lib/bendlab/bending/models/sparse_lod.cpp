@@ -20,10 +20,12 @@ constinit const BendingKind SparseLod::kind{
         "directions",
     .source = "bendlab's own, after Kim, §II.4",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; wrinkles shorter "
-        "than t edges can escape the long springs; with k all springs are alike and short ones bend less",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
+        "wrinkles shorter than t edges can escape the long springs; with k all springs are alike, so short "
+        "springs resist bending less",
     .compliance =
-        "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
+        "1 / k of a spring as long as t mean edges, k in N/m; springs of other lengths are weighted so that "
+        "all springs resist bending alike",
     .settings = table_of<SparseLod>(thinned_ring_fields<SparseLod>),
     .springs_only = true,
     .softness_needs_compliance = true,

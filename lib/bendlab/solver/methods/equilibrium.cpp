@@ -8,24 +8,24 @@
 // estimate away from the solution: a step that turns a triangle by an angle stretches it by the square of the
 // angle, and that force would hold the next step back. So λ is the value that the last step aimed at, ψ' +
 // ψ'' ∇C·Δx, as if force and position were both unknowns (the mixed form of Newton's method; at the solution
-// the two agree). A step is shortened until it stretches no triangle by more than `stretch_per_step` beyond
-// its aim.
+// λ and ψ'(C) agree). A step is shortened until it stretches no triangle by more than `stretch_per_step`
+// beyond the step's aim.
 //
 // M / τ² is the mass term of an implicit Euler step of length τ from rest. Far from the solution (a flat
-// sheet has no stiffness across itself) the cloth creeps downhill; as τ grows, the steps become Newton's. If
-// the matrix is not positive definite (a crumpled cloth; springs that are compressed before the membrane
-// carries their push), λ is first set to 0 except where a length pulls; if that does not help, τ shrinks. The
-// last steps use the whole matrix without M / τ²: what they find is a minimum, never a saddle.
+// sheet has no stiffness along its normal) the cloth creeps downhill; as τ grows, the steps become Newton
+// steps. If the matrix is not positive definite (a crumpled cloth; springs that are compressed before the
+// membrane carries their push), λ is first set to 0 except where a length pulls; if that does not help, τ
+// shrinks. The last steps use the whole matrix without M / τ², so they find a minimum, never a saddle.
 //
-// A stiff membrane starts softer and becomes stiffer in steps of ten once the cloth has found its shape. With
-// full stiffness from the start, a strip that bends by springs would keep creases of the first steps.
+// A stiff membrane starts softer and becomes stiffer in factors of ten once the cloth has found its shape.
+// With full stiffness from the start, a strip that bends by springs would keep creases of the first steps.
 //
 // A step counts as dt of the scene's time. The scene is settled when the last step moved no vertex by more
-// than 1e-6 sizes and the unbalanced forces are at most `equilibrium_tolerance` of the loads, or at most what
-// the rounding of positions causes.
+// than 1e-6 sizes and the unbalanced forces are at most `equilibrium_tolerance` of the loads, or no larger
+// than the rounding of positions makes them.
 //
-// In double precision. Loads are the changes of velocity by the passes of stage `force` on a cloth at rest.
-// Passes of the stages `damp` and `velocity` do nothing here.
+// Everything is computed in double precision. Loads are the changes of velocity by the passes of stage
+// `force` on a cloth at rest. Passes of the stages `damp` and `velocity` do nothing here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,29 +48,30 @@ using Eigen::VectorXd;
 constexpr std::array own_passes = {
     MethodPass{"gradient", "equilibrium: the unbalanced forces"},
     MethodPass{"Hessian", "equilibrium: the stiffness matrix"},
-    MethodPass{"factorise", "equilibrium: its Cholesky factors, and the step"},
-    MethodPass{"move", "equilibrium: as far as triangles hardly stretch"},
+    MethodPass{"factorise", "equilibrium: Cholesky factors of the matrix, and the step"},
+    MethodPass{"move", "equilibrium: moves as far as triangles hardly stretch"},
 };
 
 constexpr double equilibrium_tolerance = 1e-7;  // 1, |f - ∇E| / |f| over all free vertices
 constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
 
 // The following numbers decide how many steps the search takes, and which equilibrium it finds if there are
-// several. They do not decide what is balanced: the last steps are whole ones, with the membrane as stated.
-// The mass term is pseudo-transient continuation (Kelley and Keyes 1998): a step that succeeds lengthens τ.
+// several. They do not decide whether forces balance: the last steps are not shortened, and have the membrane
+// as stated. The mass term is pseudo-transient continuation (Kelley and Keyes 1998): a step that succeeds
+// lengthens τ.
 constexpr double stretch_per_step = 0.05;  // 1, of a triangle beyond the step's aim
 constexpr double longest_move = 0.2;       // of the cloth's size, per step
 constexpr double first_move = 0.05;        // of the cloth's size: by the first step of a cloth that falls
 constexpr double lengthening = 10;         // of τ², after a step that was not shortened
 constexpr double shortening = 4;           // of τ², after a step that was shortened much
-constexpr double shortened_much = 0.3;     // of a step: what is left of it, at most
-constexpr double halving = 0.5;            // of a step that stretches too much
+constexpr double shortened_much = 0.3;     // of a step: at most this share of it is left
+constexpr double halving = 0.5;            // factor on a step that stretches too much
 constexpr double crept = 1e-4;             // of the cloth's size: shorter steps do not leave a saddle
-constexpr double far_move = 5e-3;          // of the cloth's size: after a longer step the Hessian is convex()
+constexpr double far_move = 5e-3;          // of the cloth's size: after a longer step, convex() multipliers
 constexpr double lost = 1e-14;          // 1 / τ² below this share of the stiffness is rounded away: 100 ε
 constexpr double first_stretch = 1e-4;  // 1, of the softened membrane under the loads
 constexpr double softest = 1000;        // times the stated compliance, of a cloth far from its equilibrium
-constexpr double softest_near = 10;     // and of one from another mesh, which has a shape already
+constexpr double softest_near = 10;     // the same, of a pose from another mesh: it has a shape already
 constexpr double stiffening = 10;       // of the membrane, once the cloth has found its shape:
 constexpr double found_unbalanced = 1e-3;  // 1, relative to the loads
 constexpr double found_move = 1e-3;        // of the cloth's size, in the last step
@@ -105,8 +106,8 @@ class EquilibriumSearch final : public TimeStep<double> {
 
   std::size_t memory_bytes() const override {
     std::size_t vectors = 0;
-    for (const VectorXd* each : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
-      vectors += bytes_of(*each);
+    for (const VectorXd* vector : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
+      vectors += bytes_of(*vector);
     return TimeStep<double>::memory_bytes() + system_.memory_bytes() + vectors +
            static_cast<std::size_t>(positions_.size()) * sizeof(double) + solver_.memory_bytes();
   }
@@ -122,7 +123,7 @@ class EquilibriumSearch final : public TimeStep<double> {
     for (const Pass<double>& pass : effect_passes)
       if (pass.stage != Stage::force && pass.stage != Stage::damp && pass.stage != Stage::velocity)
         throw std::invalid_argument(fmt::format(
-            "equilibrium: the pass {} needs a time step; only loads have an equilibrium", pass.name));
+            "equilibrium: the pass {} needs a time step, but only loads have an equilibrium", pass.name));
     append_effects(plan_, effect_passes, Stage::force);
     add_pass(plan_, "gradient", [this](auto& c) { find_gradient(c.substep); });
     add_pass(plan_, "Hessian", [this](auto&) { assemble(); });
@@ -180,7 +181,7 @@ class EquilibriumSearch final : public TimeStep<double> {
     return scale_ > 0 ? of_position * size_ * hessian_->diagonal().norm() / scale_ : 0;
   }
 
-  // Relative to the loads; without loads, to the first residual.
+  // The length of a residual relative to the loads; without loads, relative to the first residual.
   double relative(const VectorXd& residual) {
     const double norm = residual.norm();
     if (!(scale_ > 0)) scale_ = loads_.norm() > 0 ? loads_.norm() : norm;
@@ -201,8 +202,9 @@ class EquilibriumSearch final : public TimeStep<double> {
     rounding_ = rounding();
   }
 
-  // If the matrix is not positive definite, first removes what makes it so, then shortens τ. At a saddle it
-  // takes the longest τ that makes the matrix definite at once: that leads away fastest.
+  // If the matrix is not positive definite, first sets the multipliers that may cause it to 0 (see convex()),
+  // then shortens τ. At a saddle it shortens τ at once: the longest τ that makes the matrix definite leads
+  // away fastest.
   void factorise() {
     if (settled()) return;
     constexpr int attempts = 100;  // no τ helps if entries are not finite
@@ -229,7 +231,7 @@ class EquilibriumSearch final : public TimeStep<double> {
     while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step)
       share *= halving;
     const VectorXd step = share * direction_;
-    // A shortened step takes its share of what the whole one aimed at.
+    // A shortened step takes its share of the multipliers that the whole step aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction_);
     positions_ = system_.moved(positions_, step);
     if (share == 1)
@@ -251,7 +253,7 @@ class EquilibriumSearch final : public TimeStep<double> {
   SupernodalSolver solver_;
   bool convex_ = false;  // the Hessian has convex() multipliers
   bool far_ = false;     // convex() is likely to be needed again
-  bool whole_;           // the last step was Newton's: it found a minimum in every direction
+  bool whole_;           // the last step was a whole Newton step, with a definite matrix
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   StartingFrom starting_from_;
@@ -263,14 +265,14 @@ class EquilibriumSearch final : public TimeStep<double> {
 constinit const MethodKind Equilibrium::kind{
     .name = "equilibrium",
     .summary =
-        "the static equilibrium of loads and elastic energies by Newton's method; a step of it takes dt, and "
+        "the static equilibrium of loads and elastic energies by Newton's method; a step counts as dt, and "
         "the run ends when the forces balance",
     .source =
-        "Newton's method in its mixed form, force and position both unknown; CHOLMOD's supernodal Cholesky "
-        "factors",
+        "Newton's method in its mixed form, with force and position as unknowns; CHOLMOD's supernodal "
+        "Cholesky factors",
     .limits =
-        "of energies only: every stiffness is a compliance above 0; in double precision; has no motion; "
-        "takes no effects that act among projections; of several equilibria it finds one",
+        "needs energies: every stiffness is a compliance above 0; double precision only; has no motion; "
+        "takes no effects that act between projections; finds only one of several equilibria",
     .settings = table_of<Equilibrium>({}),
     .passes = own_passes,
     .factorised = Factorised::blocks,

@@ -12,21 +12,22 @@
 //   p_i  = h f_i + h² Σ_j J_ij (v_j - v_i)
 //   Δv_i = W_i⁻¹ (p_i + h² Σ_j J_ij W_j⁻¹ p_j),   v += Δv,   x += h v
 //
-// f are the springs' forces and, as in the source, the scene's forces: the change of velocity by the force
-// passes is taken back and enters p times m_i. So a cloth in equilibrium stays there, whatever h. Damp passes
-// see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on its neighbours.
+// f is the sum of the springs' forces and, as in the source, of the scene's forces: the change of velocity by
+// the force passes is undone, and enters p, multiplied by m_i. So a cloth in equilibrium stays in equilibrium
+// for any h. Damp passes see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on
+// its neighbours.
 //
 // Properties of the approximation (G = W⁻¹ h² × the off-diagonal blocks; its eigenvalues are within (-1, 1)):
 //
 // * Δv solves backward Euler exactly for another mass, M' = (M + h² K) (1 - G²)⁻¹ - h² K ≥ M. So with fixed J
-//   it is stable at any step. It differs from the solution for M by O(h⁵) per step.
+//   the method is stable at any step. Δv differs from the solution for M by O(h⁵) per step.
 // * The added mass grows with κ = h² k and acts where J does. Two masses on a spring fall along it more
 //   slowly than a stone, by the factor 1 - (κ / (m + κ))². M' changes translations, too: Σ m v is kept for a
 //   single spring, but not for a cloth (the share lost is O((κ / m)²)). M' turns with the cloth, so energy is
 //   not kept either: with κ ≫ m a sheet that swings down climbs higher than it started.
-// * The stiffness of a taut spring across its direction, k (1 - L / |d|), is not in the source's J, and so is
+// * The stiffness of a taut spring across its direction, k (1 - L / |d|), is not in the source's J, so it is
 //   integrated explicitly: a mass on a taut string is stable while h² Σ k (1 - L / |d|) < 4 m. In a hanging
-//   sheet of 32 × 32 cells these are steps of 1.5 to 4 times explicit Euler's, h² k / m of 1 to 6.
+//   sheet of 32 × 32 cells this allows steps of 1.5 to 4 times explicit Euler's, with h² k / m of 1 to 6.
 //   Tangent::taut adds it to J.
 //
 // The springs are input.edges, of stiffness 1 / strain_stiffness.compliance, and input.distance, of stiffness
@@ -52,8 +53,8 @@ using Tangent = KangCho::Tangent;
 constexpr std::array<std::string_view, 3> tangent_names = {"along", "taut", "isotropic"};
 
 constexpr std::array own_passes = {
-    MethodPass{"start", "kang_cho takes forces with the springs, not before them"},
-    MethodPass{"external", "kang_cho takes forces with the springs, not before them"},
+    MethodPass{"start", "kang_cho: stores the velocities before forces"},
+    MethodPass{"external", "kang_cho: forces act in the implicit solve, not before it"},
     MethodPass{"springs", "kang_cho: forces and tangents of edges and bending springs"},
     MethodPass{"implicit solve", "kang_cho: two steps of block Jacobi"},
     MethodPass{"update", "x += h v; looks for divergence"},
@@ -99,7 +100,7 @@ class KangChoStep final : public TimeStep<Real> {
  private:
   static void check(const SimulationInput& input, const std::vector<Pass<Real>>& effect_passes) {
     if (element_count(input.elements) > 0)
-      throw std::invalid_argument("kang_cho: works on springs; the bending model gives other elements");
+      throw std::invalid_argument("kang_cho: takes springs only, but the bending model makes other elements");
     const auto has_stiffness = [](const auto& s) {
       return s.kind == StiffnessKind::compliance && s.compliance > 0;
     };
@@ -200,12 +201,13 @@ class KangChoStep final : public TimeStep<Real> {
 
 constinit const MethodKind KangCho::kind{
     .name = "kang_cho",
-    .summary = "an approximate implicit step of masses and springs, the membrane a spring along every edge",
+    .summary =
+        "an approximate implicit step of masses and springs; the membrane is a spring along every edge",
     .source = "Kang and Cho 2002; other tangents are ours",
     .limits =
-        "springs alone, of known stiffness: takes bending models made of springs and no form, warp, weft, "
-        "shear or area of strain; gains mass, so that long steps fall too slowly; keeps neither momentum nor "
-        "energy; takes no effects that act among projections",
+        "springs only, of known stiffness: takes bending models made of springs, and no form, warp, weft, "
+        "shear or area of strain; adds mass, so that cloth falls too slowly in long steps; keeps neither "
+        "momentum nor energy; takes no effects that act between projections",
     .settings = table_of<KangCho>(fields),
     .passes = own_passes,
     .membrane = Membrane::edges,

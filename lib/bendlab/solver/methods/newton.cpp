@@ -3,18 +3,22 @@
 //   per iteration:  (H + W) Δx = -(∇E + W (x - y)),   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
 //
 // λ is kept only where a length pulls, so that the matrix is positive definite for any pose and any step
-// (Gauss-Newton for bending, no compressive membrane stress). λ is what the last iteration aimed at, as if
-// force and position were both unknowns: equilibrium.cpp says why. The forces on the right are those of the
-// pose itself, so what the iterations converge to is the minimum that implicit_step.hpp states.
+// (Gauss-Newton for bending, no compressive membrane stress). λ is the value that the last iteration aimed
+// at, as if force and position were both unknowns: equilibrium.cpp says why. The forces on the right are the
+// forces of the pose itself, so the iterations converge to the minimum that implicit_step.hpp states.
 //
-// An iteration is shortened until it stretches no triangle by more than `stretch_per_step` beyond its aim,
-// and until it lowers what the step minimises (Armijo's rule). Without the second rule steps of 0.1 s and
-// more went to and fro between stretched poses, and gained energy. In double precision.
+// An iteration is shortened until it stretches no triangle by more than `stretch_per_step` beyond the
+// iteration's aim, and until it lowers the minimised function (Armijo's rule). Without the second rule, steps
+// of 0.1 s and more went to and fro between stretched poses, and gained energy. Everything is computed in
+// double precision.
+#include <fmt/format.h>
+
 #include <array>
 #include <stdexcept>
 
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/implicit_step.hpp"
+#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/supernodal_solver.hpp"
@@ -26,8 +30,8 @@ using Eigen::VectorXd;
 
 constexpr double stretch_per_step = 0.05;  // 1
 constexpr double least_share = 1e-4;       // 1, of the decrease to first order: Armijo's constant
-constexpr double near = 1e-6;              // of the cloth's size: a move this short is Newton's last, and
-                                           // lowers the energy by less than it is rounded
+constexpr double near = 1e-6;              // of the cloth's size: a move this short is the last, and lowers
+                                           // the energy by less than the rounding of the energy
 constexpr double energy_rounding = 1e-11;  // 1
 
 constexpr auto fields = implicit_fields<Newton>;
@@ -40,7 +44,8 @@ class NewtonStep final : public ImplicitStep<double> {
         system_(input),
         positions_(input.positions),
         size_(input.size) {
-    // Far above the weights, and below the stiffness of the membrane, which rounding already bears.
+    // The stiffness of contacts is far above the weights, and below that of the membrane, which rounding
+    // already allows.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
     compile_plan(std::move(effect_passes), 10, 0.3 * membrane);
   }
@@ -96,8 +101,8 @@ class NewtonStep final : public ImplicitStep<double> {
     return sum;
   }
 
-  // The gradients of a triangle that has almost collapsed are huge, and so is their rounding: the matrix is
-  // definite without λ and with a share of its diagonal.
+  // The gradients of a triangle that has almost collapsed are huge, and so is their rounding, which may make
+  // the matrix indefinite. It is definite again without λ and with an added share of its diagonal.
   void factorise(const VectorXd& diagonal) {
     if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal, blocks_))
       return;
@@ -106,21 +111,21 @@ class NewtonStep final : public ImplicitStep<double> {
     for (const double share : {0.0, 1e-14, 1e-12, 1e-10})
       if (solver_.factorise(positive, diagonal + share * own, blocks_)) return;
     throw std::runtime_error(
-        "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
-        "pose, or take quasi_newton");
+        "newton: the stiffness matrix is not finite, because triangles have collapsed. Start from another "
+        "pose, or choose quasi_newton");
   }
 
-  // What a direction d does beside the elastic energy: inertia and contacts are quadratic along it.
+  // The minimised function along a direction d. Its parts from inertia and contacts are quadratic along d.
   struct Descent {
     const VectorXd& direction;
-    double slope;      // of everything, J, downwards
-    double push;       // of inertia and contacts alone
-    double curvature;  // of these
+    double slope;      // of the whole function, J, positive downhill
+    double push;       // the slope of inertia and contacts alone, J
+    double curvature;  // of inertia and contacts, J
   };
 
   // The largest of share, share / 2, … that lowers the energy enough.
   double lowering(double share, const Descent& d) const {
-    constexpr int halvings = 30;  // rounding decides about shorter moves
+    constexpr int halvings = 30;  // rounding decides whether shorter moves lower it
     const double start = system_.energy(positions_), rounding = energy_rounding * start;
     const auto rise = [&](double s) {
       return system_.energy(system_.moved(positions_, s * d.direction)) - start - s * d.push +
@@ -132,7 +137,7 @@ class NewtonStep final : public ImplicitStep<double> {
   }
 
   void move(const VectorXd& direction, double share) {
-    // A shortened step takes its share of what the whole one aimed at.
+    // A shortened step takes its share of the multipliers that the whole step aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction);
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
@@ -147,14 +152,18 @@ class NewtonStep final : public ImplicitStep<double> {
   SupernodalSolver solver_;
 };
 
-// The numbers are of the sheets in solver_warnings.cpp; on obstacles of a ball, and a capsule that turns,
-// with 1 × 20.
-std::string_view remedy_of_lag(const Newton&, const UnconvergedRun& run) {
+// experiments/measure_remedies.py has the scenes.
+std::string remedy_of_lag(const Newton&, const UnconvergedRun& run) {
+  using namespace measured;
   if (run.touches)
-    return "More /solver/substeps help where cloth touches something: in tests 1 left up to 35 times the "
-           "effects' forces, and 8 left at most 0.1 times";
-  return "More /solver/iterations help: in tests at 10⁵ N/m 3 iterations left 32 times the effects' "
-         "forces, 10 iterations 0.01 times";
+    return fmt::format(
+        "More /solver/substeps help where cloth touches something: on a ball that spins 1 left {:.2g} times "
+        "the effects' forces, and 8 left {:.2g} times",
+        ball_newton_1x20, ball_newton_8x20);
+  return fmt::format(
+      "More /solver/iterations help: in tests at 10⁵ N/m 3 iterations left {:.2g} times the effects' forces, "
+      "and 10 left {:.2g} times",
+      newton_3, newton_10);
 }
 
 }  // namespace
@@ -166,8 +175,8 @@ constinit const MethodKind Newton::kind{
         "Baraff and Witkin 1998; as a minimisation: Gast et al. 2015; BDF2: Choi and Ko 2002, §4; CHOLMOD's "
         "supernodal Cholesky factors",
     .limits =
-        "of energies only: every stiffness is a compliance above 0; in double precision; factorises in every "
-        "iteration, which costs the most of all methods",
+        "needs energies: every stiffness is a compliance above 0; double precision only; factorises a "
+        "matrix in every iteration, which costs the most of all methods",
     .settings = table_of<Newton>(fields),
     .passes = own_passes,
     .factorised = Factorised::blocks,

@@ -16,11 +16,11 @@
 //   greedy first-fit over the list, after the pins are known (a constraint between pinned vertices is left
 //   out). It does not depend on lane width or threads, so neither changes a bit of the result;
 // * springs are coloured as stars, up to four springs of one centre in one lane. The centre stays in a
-//   register (half the traffic), and the colours are few and large, which suits threads: they meet once per
-//   colour. Longer stars are faster but converge worse;
+//   register (half the traffic), and the colours are few and large, which suits threads, because they wait
+//   for each other once per colour. Longer stars are faster but converge worse;
 // * triangles are coloured one by one: they share too few vertices for stars to pay;
-// * a batch stores what the kernel needs, in the order in which it is needed: offsets ready for an address,
-//   rest values, XPBD's multipliers. Nothing is computed twice, and there are no branches;
+// * a batch stores the kernel's data in the order in which the kernel needs them: offsets ready for an
+//   address, rest values, XPBD's multipliers. Nothing is computed twice, and there are no branches;
 // * vertices keep the mesh's numbering if that is local; else they get the reverse Cuthill-McKee order (a
 //   scanned or exported mesh may be numbered at random);
 // * a single thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so
@@ -28,8 +28,10 @@
 //   are the same as colour after colour, which is the order of several threads.
 //
 // Colouring costs convergence: a correction reaches its neighbours only with the next colour, while list
-// order passes it on at once. `bendlab bench` measures how much; `order: mesh` projects in list order by the
-// oracle.
+// order passes it on at once. `bendlab bench` measures how much this costs; `order: mesh` projects in list
+// order by the oracle.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,6 +45,7 @@
 #include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/force_steps.hpp"
+#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
@@ -53,7 +56,7 @@ namespace {
 
 constexpr std::array own_passes = {
     MethodPass{"predict", "x += h v"},
-    MethodPass{"levels", "levels above 0: carry stretch far, from coarse to fine"},
+    MethodPass{"levels", "if levels is above 0: carries corrections far, from coarse to fine"},
     MethodPass{"strain", "/material/strain: keeps the triangles' shapes"},
     MethodPass{"update", "v from the change of x; looks for divergence"},
 };
@@ -70,23 +73,25 @@ constexpr std::array fields = {
                    "projections",
         .choices = sweep_names}),
     field<&Pbd::order>({.name = "order",
-        .meaning = "colour: in groups, in which no two constraints share a vertex; mesh: one after another, "
-                   "as the model lists them; pins: one after another, those nearest to a pinned vertex first",
+        .meaning = "Order of the constraints. colour: in groups in which no two constraints share a vertex; "
+                   "mesh: one after another, as the model lists them; pins: one after another, from the "
+                   "pinned vertices outwards",
         .choices = order_names}),
     field<&Pbd::first>({.name = "first",
         .meaning = "Which constraints are projected first in an iteration", .choices = first_names}),
     field<&Pbd::flight_limit>({.name = "flight_limit", .unit = "1",
               .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, "
-                         "before anything is projected; where forces do more, at pins for example, the "
-                         "substep is cut into equal parts, at most 1000. 0: none is cut. Gravity changes it "
-                         "by g h² / a in a pinned row of triangles of height a: 0.17 for 64 cells a metre "
-                         "and 1/60 s",
+                         "before constraints are projected. If forces change it more, near pins for "
+                         "example, the substep is cut into equal parts, at most 1000. 0: no substep is cut. "
+                         "Gravity changes it by g h² / a in a pinned row of triangles of height a: 0.17 for "
+                         "64 cells per metre and 1/60 s",
               .minimum = 0}),
     field<&Pbd::levels>({.name = "levels",
-              .meaning = "Most coarse levels before the constraints of each iteration: spans between "
-                         "ever fewer vertices that are slack up to their length along the cloth at rest. "
-                         "The cloth stretches less for few substeps; 12: as many as the mesh has. 0: none, "
-                         "as where there are as many substeps as edges across the cloth",
+              .meaning = "Largest number of coarse levels that are projected before the constraints of each "
+                         "iteration. Levels have spans between ever fewer vertices, slack up to their "
+                         "length along the cloth at rest. With levels the cloth stretches less if substeps "
+                         "are few. 0: no levels; 12: as many as the mesh has. With at least as many "
+                         "substeps as edges across the cloth there are none",
               .minimum = 0, .maximum = 12}),
 };
 // clang-format on
@@ -97,8 +102,8 @@ int sweeps_per_iteration(const Pbd& settings) {
 
 // For ranges with less work than this (about 10 µs of projections) a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 2048;
-// Predicts positions from `x`, and the remainders that their last digits do not hold. The arrays hold x, y,
-// z, w of each point in a row.
+// Predicts positions from `x`. `remainder` is the part of them that their last digits cannot hold. The arrays
+// hold x, y, z, w of each point in a row.
 template <class Real>
 void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, Real h,
                      Real* __restrict position, Real* __restrict predicted, Real* __restrict remainder,
@@ -110,7 +115,7 @@ void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, 
   }
 }
 
-// Predicts what a substep adds to positions.
+// Predicts moves, which a substep adds to positions.
 template <class Real>
 void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __restrict velocity, Real h,
                               Real* __restrict moved, Real* __restrict predicted, std::size_t first,
@@ -118,9 +123,9 @@ void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __re
   for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
 }
 
-// Velocities at the end of a substep change by what projections moved: without projections no digit of them
-// is lost. Their remainders hold what the rounded numbers lack. The arrays hold x, y, z, w of each point in a
-// row.
+// At the end of a substep, velocities change by the moves of projections, so without projections they lose no
+// digit. `velocity_remainder` holds what the rounded velocities lack. The arrays hold x, y, z, w of each
+// point in a row.
 template <class Real>
 void update_velocities(const Real* __restrict moved, const Real* __restrict predicted, Real per_substep,
                        Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
@@ -133,7 +138,7 @@ void update_velocities(const Real* __restrict moved, const Real* __restrict pred
   }
 }
 
-// The same, and positions, if moves are kept apart from positions.
+// Updates velocities in the same way, and positions, if moves are kept apart from positions.
 template <class Real>
 void update_numbers(const Real* __restrict base, const Real* __restrict moved,
                     const Real* __restrict predicted, Real per_substep, Real* __restrict position,
@@ -148,17 +153,17 @@ void update_numbers(const Real* __restrict base, const Real* __restrict moved,
   }
 }
 
-// What a substep works on, beside State and Constraints. In single precision projections change positions or,
-// if these hold too few digits, moves that are kept apart from them (see Places).
+// The data of a substep, beside State and Constraints. In single precision projections change positions or,
+// if positions hold too few digits, moves that are kept apart from positions (see Places).
 template <class Real>
 struct PbdData {
   Points<Real> before_forces;  // velocities, m/s; with flight_limit only
-  Points<Real> predicted;      // single precision: the predicted positions or moves, whichever change, m
+  Points<Real> predicted;      // single precision: predicted positions or moves (whichever change), m
   Points<Real> moved;          // single precision: moves since the start of the substep, if they change, m
   std::vector<std::size_t> pinned;  // single precision: pinned vertices, permuted
-  Points<Real> put;                 // single precision: where effects put these in this substep, m
-  bool are_put = false;             // whether they did
-  double last_substep = 0;          // s, of a part if flight_limit cut the substep; 0: there was none yet
+  Points<Real> put;                 // single precision: where effects put pinned vertices in this substep, m
+  bool are_put = false;             // whether effects put pinned vertices in this substep
+  double last_substep = 0;          // s, of a part if flight_limit cut the substep; 0: no substep yet
 };
 
 // Position-based dynamics (Müller et al. 2007): predict, project, update.
@@ -222,7 +227,7 @@ class PbdStep final : public TimeStep<Real> {
     const double rounding = largest * static_cast<double>(std::numeric_limits<Real>::epsilon());
     EffectiveStiffness stiffness = bendlab::effective_stiffness(
         constraints_, {positions, rest, is_pinned, data_.last_substep, rounding});
-    if (levels_) stiffness.membrane = {};  // levels carry a part of it that multipliers do not know of
+    if (levels_) stiffness.membrane = {};  // levels carry a part of it, which multipliers leave out
     return stiffness;
   }
 
@@ -250,8 +255,9 @@ class PbdStep final : public TimeStep<Real> {
     context.substep = whole;
   }
 
-  // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth
-  // that is still strained would cut it ever finer, and each cut turns more of that strain into speed.
+  // The number of parts that a substep is cut into. It depends on forces, not on velocities: the velocities
+  // of a cloth that is still strained would cut it ever finer, and each cut turns more of that strain into
+  // speed.
   int needed_force_steps(PassContext<Real>& context) {
     data_.before_forces = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
@@ -362,7 +368,7 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // Whole positions; the remainder keeps what their last digit does not hold.
+  // Predicts whole positions. The remainder keeps what their last digit cannot hold.
   void predict_positions(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -453,8 +459,7 @@ class PbdStep final : public TimeStep<Real> {
     find_divergence();
   }
 
-  // 1, the setting flight_limit: the forces of a substep may change a deformation gradient by no more, see
-  // force_steps.hpp. 0: no limit.
+  // force_steps.hpp says how flight_limit cuts substeps.
   Pbd pbd_;
   // Single precision: whether projections change moves that are kept apart from positions (see Places), or
   // whole positions.
@@ -475,82 +480,49 @@ void sort(const Pbd& settings, SimulationInput& input, const RestMesh& rest) {
 
 // ---- what helps a run that failed
 
-// The trials: scenes that broke a bound, each with one thing changed. Numbers are the worst stretch of any
-// triangle in any frame of 2 s. A sheet of 1 m under gravity, steps of 1/60 s × 10 iterations, normalised
-// form, single precision, k = 0.5, unless it says otherwise.
-//
-//   a  crossover, 64 cells, one corner's vertex pinned (the paper's)
-//   b  none, 32 cells, pinned as a
-//   c  k_ring, 64 cells, pinned as a
-//   d  adaptive, 32 cells, pinned as a, steps of 1/15 s
-//   h  crossover, k = 1, 16 cells, two corners, 1 s a step
-//   i  none, 48 cells alternating, hung from its top at 90 degrees, 0.05 m/s sideways, order: mesh
-//
-//   changed                        a      b      c      d      h      i      time
-//   nothing                      390   1132     40    120    494   1426      1
-//   tethers                      1.5    1.5    1.5    1.4    2.8      -      1.0 to 1.15
-//   4 substeps × 10               13    2.6    4.0    5.8     28    1.1      4
-//   10 substeps × 10             1.9    1.3    1.5    1.8    6.5      -      10
-//   10 substeps × 1               16   1233    6.0    9.4    507      -      1.2
-//   10 × 1, tethers, angle       1.7    1.3    1.5    1.6    2.9      -      1.1 to 1.6
-//   40 iterations                 78     11     11     19     98      -      4
-//   dt / 4                        13    2.6    4.0    5.8     84      -      4
-//   form: angle                   76     18     41     63    466    3.9      1.0
-//   flight_limit 0.25            390   1132     40    9.6    2.1      -      1, but d 3 and h 10
-//   the other precision          381   1099     40    183    491      -      1.5
-//   k / 10                       973      -    864    915   1680      -      1.0
-//   order: pins                  130    482     51    173    444      -      15 to 25
-//   sweep: symmetric             970   1192   1063    657   1008      -      1.9
-//   pins/ring 1                   37   1111     19     96      -      -      1.0
-//
-// Tethers repair what tears at a pin, at hardly any cost; substeps, each with all its iterations, repair it
-// at theirs. Changes in the table that the code below does not name did not help, or not in most scenes.
-// (All but i were run before single precision stored what a substep changes apart from positions.)
-//
-// Further trials. A free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends
-// with a mean strain of 1260; form: angle ends with 0.04, k = 0.1 with 0.12, isometric with 0.05, 10
-// substeps × 10 with 1260, the other precision with 1240. prestressed with an excess of 1 and k = 1 (16
-// cells, one corner) ends with a mean strain of 1.3; k = 0.1 with 0.57, 10 substeps × 10 with 1.33,
-// isometric with 0.04.
+// experiments/measure_remedies.py has the trials and their numbers. These changes helped less, or not in
+// every scene: 40 iterations, 10 substeps × 1, the other precision, k / 10, the orders pins and mesh, a pinned
+// ring. Forward sweeps add energy in short substeps. In the trial 256 substeps were enough for that.
+constexpr int many_substeps = 200;
 
-// Forward sweeps add energy in short substeps: a level sheet of 16 cells without pins and bending that fell
-// for 0.5 s in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy
-// scale, in both precisions and forms; with symmetric sweeps 1e-7 and no energy. With 256 substeps neither
-// gained any.
-constexpr int many_substeps = 300;
-
-std::vector<std::string_view> remedies(const Pbd& settings, const FailedRun& run) {
+std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
+  using namespace measured;
   const SolverSettings& steps = run.input.settings;
-  constexpr double long_step = 1.0 / 20;  // s: between d's and the others'
-  std::vector<std::string_view> texts;
+  constexpr double long_step = 1.0 / 20;  // s: between 1/60 s, where the limit does not help, and 1/15 s
+  std::vector<std::string> texts;
   if (run.fell_wrong) {
     if (run.single_precision) texts.push_back("/solver/precision: auto or double");
     return texts;
   }
   if (settings.sweep == Sweep::forward && steps.substeps >= many_substeps)
     texts.push_back(
-        "/solver/sweep: symmetric (a free sheet with 1024 substeps gained no energy, instead of 1.3 to 7 "
-        "times its energy scale)");
+        fmt::format("/solver/sweep: symmetric (in 1024 substeps a sheet at rest gained a kinetic energy of "
+                    "{:.2g} J instead of {:.2g} J)",
+                    still_symmetric, still_forward));
   if (run.is_prestressed)
-    texts.push_back(
-        "/bending/k: 0.1 (mean strain 0.57 instead of 1.3), or another /bending/model such as isometric "
-        "(0.04)");
+    texts.push_back(fmt::format(
+        "/bending/k: 0.1 (mean strain {:.2g} instead of {:.2g}), or another /bending/model such as isometric "
+        "({:.2g})",
+        pushed_k_tenth, pushed, pushed_isometric));
   if (run.is_pinned && !run.helps_projection)
-    texts.push_back(
-        "the effect tethers (triangles 1.5 instead of 40 to 1132 times as long as at rest, in about the same "
-        "time)");
+    texts.push_back(fmt::format(
+        "the effect tethers (triangles {:.2g} instead of {:.2g} to {:.2g} times as long as at rest)",
+        torn_with_tethers, torn_least, torn_most));
   if (settings.flight_limit == 0 && steps.dt / steps.substeps > long_step)
-    texts.push_back(
-        "/solver/flight_limit: 0.25 (triangles 9.6 instead of 120 times as long with steps of 1/15 s, 2.1 "
-        "instead of 494 with steps of 1 s)");
+    texts.push_back(fmt::format(
+        "/solver/flight_limit: 0.25 (triangles {:.2g} instead of {:.2g} times as long with steps of 1/15 s, "
+        "{:.2g} instead of {:.2g} with steps of 1 s)",
+        steps_of_a_fifteenth_limited, steps_of_a_fifteenth, steps_of_a_second_limited, steps_of_a_second));
   if (!run.is_pinned && run.input.strain_stiffness.form == StrainForm::normalised)
     texts.push_back(
-        "/material/strain/form: angle (mean strain 0.04 instead of 1260, for a free sheet that starts "
-        "stretched)");
+        fmt::format("/material/strain/form: angle (mean strain {:.2g} instead of {:.2g}, for a free sheet "
+                    "that starts 100 times too large)",
+                    stretched_angle, stretched_normalised));
   if (run.is_pinned && steps.substeps < 10)
     texts.push_back(
-        "/solver/substeps: 10, each with as many /solver/iterations (triangles 1.3 to 1.9 instead of 40 to "
-        "1132 times as long, in ten times the time)");
+        fmt::format("/solver/substeps: 10, each with as many /solver/iterations (triangles {:.2g} to {:.2g} "
+                    "instead of {:.2g} to {:.2g} times as long, in ten times the time)",
+                    torn_in_10_substeps_least, torn_in_10_substeps_most, torn_least, torn_most));
   return texts;
 }
 
@@ -559,12 +531,12 @@ std::vector<std::string_view> remedies(const Pbd& settings, const FailedRun& run
 constinit const MethodKind Pbd::kind{
     .name = "pbd",
     .summary =
-        "position-based dynamics: predict, project every constraint several times, velocities from what "
-        "moved",
+        "position-based dynamics: predicts positions, projects every constraint several times, and takes "
+        "velocities from the moves",
     .source = "Müller et al. 2007, §3; XPBD: Macklin et al. 2016; strain: Müller et al. 2014",
     .limits =
-        "stiffness given as k depends on substeps and iterations, and a compliance is met only as far as the "
-        "iterations converge; energy is not kept; forward sweeps gain some at short substeps",
+        "stiffness given as k depends on substeps and iterations, and a compliance holds only as far as the "
+        "iterations converge; energy is not kept; forward sweeps gain energy in short substeps",
     .settings = table_of<Pbd>(fields),
     .passes = own_passes,
     .takes_own_elements = true,

@@ -1,24 +1,27 @@
-// Implicit steps by L-BFGS on a constant metric (Liu et al. 2017).
+// Implicit steps by L-BFGS with a constant matrix A, the metric (Liu et al. 2017).
 //
 //   per iteration:  g = ∇E + W (x - y) → A⁻¹ g → corrected by the last m pairs → move
 //
 //   A = W + Σ k DᵀD + Σ κ κᵀ / α
 //
-// A is a matrix of scalars, the same for x, y and z (elastic_metric.hpp), so it is factorised once and its
-// factor serves every iteration of the run. It holds what a membrane resists in its plane and how bending
-// resists in the rest shape. What it gets wrong (a sheet has no stiffness across itself) the pairs of moves
-// and gradients correct. They are kept from substep to substep: G = ∇E + W x does not depend on y, so a pair
-// of two substeps is as good as one of two iterations. A history that starts anew with every substep takes
-// many times the iterations.
+// A approximates the Hessian by scalars that are the same for x, y and z (elastic_metric.hpp). It is
+// constant, so it is factorised once, and its factor serves every iteration of the run. A contains the
+// stiffness of the membrane in its plane, and of bending in the rest shape. The pairs of moves and gradients
+// correct its errors: for example, a sheet has no stiffness along its normal. Pairs are kept from substep to
+// substep: G = ∇E + W x does not depend on y, so a pair of two substeps is as good as a pair of two
+// iterations. A history that starts anew with every substep takes many times the iterations.
 //
-// No line search: A is stiffer than the cloth in most directions, and an energy in single precision could not
-// tell. A pair is kept unless it shows less curvature than inertia alone. An iteration that would move a
-// vertex by more than `longest_move` is shortened. The slope of the energy along each move is known at its
-// end without a further pass: where a move went so far that the energy rises, the next iteration goes back to
-// where a line through both slopes is 0. A substep goes on beyond its iterations while moves are that large.
+// There is no line search: A is stiffer than the cloth in most directions, and energies in single precision
+// are too inexact to compare. PairHistory::add() says which pairs are kept. An iteration that would move a
+// vertex by more than `longest_move` is shortened. The slope of the energy at the end of a move is known
+// without a further pass. If the move went so far that the energy rises there, the next iteration goes back
+// to where a line through the slopes at both ends is 0. A substep goes on beyond its iterations while moves
+// are large.
 //
-// Without pins the cloth is shifted so that W (x - y) sums to the contacts' force: linear momentum then
-// changes by forces alone.
+// Without pins the whole cloth is shifted so that W (x - y) sums to the contacts' force. Then only forces
+// change linear momentum.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,6 +30,7 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/solver/elastic_metric.hpp"
 #include "bendlab/solver/implicit_step.hpp"
+#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/pair_history.hpp"
@@ -39,10 +43,10 @@ namespace {
 // Two threads pay off for more lanes than this (about 10 µs of work).
 constexpr std::size_t worthwhile_lanes = 4096;
 constexpr double longest_move = 0.1;      // of the cloth's size, per iteration
-constexpr double contact_per_weight = 5;  // stiffer contacts overshoot: the metric does not follow them
-constexpr double larger_load = 2;         // than the one that the membrane was softened for
+constexpr double contact_per_weight = 5;  // stiffer contacts overshoot, because A does not follow them
+constexpr double larger_load = 2;         // times the load that the membrane was softened for: softens anew
 constexpr double settled_move = 0.1;      // of an edge
-// Of the slope that a move had at its begin: the energy has risen if it was quadratic.
+// In slopes at the start of a move. If the slope at its end is larger, a quadratic energy has risen.
 constexpr double most_overshoot = 1;
 
 constexpr std::array<std::string_view, 2> membrane_names = {"stated", "auto"};
@@ -50,16 +54,17 @@ constexpr std::array<std::string_view, 2> membrane_names = {"stated", "auto"};
 // clang-format off
 constexpr std::array own_fields = {
     field<&QuasiNewton::history>({.name = "history",
-              .meaning = "Pairs of moves and gradients that are kept (m of L-BFGS); 0: the metric alone",
+              .meaning = "Number of pairs of moves and gradients that L-BFGS keeps (its m); 0: the constant "
+                         "matrix alone",
               .minimum = 0, .maximum = 100}),
     field<&QuasiNewton::membrane>({.name = "membrane",
-              .meaning = "auto: a membrane that is stiffer than membrane_error asks for is softened to that, "
-                         "but not near pins: the iterations that are needed grow as the square root of the "
-                         "membrane's stiffness",
+              .meaning = "stated: as stiff as the material says; auto: as soft as membrane_error allows, "
+                         "except near pins, if the material is stiffer. The number of iterations that a "
+                         "step needs grows as the square root of the membrane's stiffness",
               .choices = membrane_names}),
     field<&QuasiNewton::membrane_error>({.name = "membrane_error", .unit = "1",
-              .meaning = "membrane auto: how far the softer membrane may move the cloth at rest under the "
-                         "first step's forces, in sizes of the cloth",
+              .meaning = "With membrane auto: how far the softer membrane may move the cloth at rest under "
+                         "the first step's forces, in sizes of the cloth",
               .minimum = 0, .above = true}),
 };
 // clang-format on
@@ -67,13 +72,13 @@ constexpr auto fields = joined(implicit_fields<QuasiNewton>, own_fields);
 
 constexpr std::array own_passes = [] {
   const auto [start, target, iterate, update] =
-      implicit_passes("quasi_newton: gradient, metric and pairs, move");
+      implicit_passes("quasi_newton: gradient, direction by the factors and pairs, move");
   return std::array{start, target,
-                    MethodPass{"factorise", "the constant metric, once, when the first forces are known"},
+                    MethodPass{"factorise", "the constant matrix, once, when the first forces are known"},
                     iterate, update};
 }();
 
-// Of a right triangle of the mean area.
+// The short side of a half square that has the mean area of the triangles, m.
 double mean_edge(const StrainConstraints& strain) {
   double twice_area = 0;
   for (const auto& q : strain.inverse_rest) twice_area += 1 / std::abs(q[0] * q[3] - q[1] * q[2]);
@@ -132,8 +137,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   Real iterate() override {
     const bool first = data_.is_first_iteration;
     if (first) prepare_for_pins();
-    // The Hessian has another W from BDF2's second substep on, and where contacts begin or end; gradients
-    // change with pins, too.
+    // W, and so the Hessian, changes in BDF2's second substep, and where contacts begin or end. Gradients
+    // also change when pins move.
     if (first && data_.weights_changed) pairs_.clear();
     if (first && (data_.weights_changed || this->pins_moved())) pairs_.forget_last();
     find_gradient();
@@ -149,12 +154,13 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     return move(1);
   }
 
-  // A large move may have gone too far, which only the next iteration finds out.
+  // A large move may have gone too far, and only the next iteration finds that out.
   bool must_go_on() const override {
     return stepped_back_ || last_longest_ > static_cast<Real>(settled_move) * edge_;
   }
 
-  // g = ∇E + W (x - y) has another y in every substep: -W times the change of y, and A⁻¹ of that.
+  // g = ∇E + W (x - y) has another y in every substep. Finds the change of g by that, -W times the change of
+  // y, and A⁻¹ times the change of g.
   void find_target_change() {
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
       target_change_[v].set(data_.weight[v] * (last_target_[v].vector() - data_.target[v].vector()));
@@ -162,7 +168,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     last_target_ = data_.target;
   }
 
-  // The last move went so far that the energy rises there: back to where a line through both slopes has none.
+  // For a move that went so far that the energy rises at its end. Goes back to where a line through the
+  // slopes at both ends is 0.
   Real step_back(const typename PairHistory<Real>::Along& along) {
     const auto share = static_cast<Real>(along.after / (along.after - std::min(along.before, 0.0)));
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
@@ -172,12 +179,12 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     return longest;
   }
 
-  // A membrane that was softened for the first loads is too soft for far larger ones: where a pin is snatched
-  // away, cloth follows with its inertia. It is then softened less.
+  // A membrane that was softened for the first loads is too soft for far larger loads, such as the inertia of
+  // cloth whose pin is snatched away. In that case the membrane is softened less.
   void prepare_for_pins() {
     if (!soft_membrane_ || !(softness_ > 1)) return;
     const double h = settings_.dt / settings_.substeps;
-    double fastest = 0;  // change of a pin's move, m
+    double fastest = 0;  // the largest change of a pin's move since the last substep, m
     for (std::size_t i = 0; i < pinned_.size(); ++i) {
       const std::size_t v = pinned_[i];
       const Vector3Of<Real> move = state_.position[v].vector() - state_.previous[v].vector();
@@ -215,8 +222,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     factor_->renumber(free_);
   }
 
-  // Then the metric is as good without bending, and its factor has half as many numbers: a hinge joins
-  // vertices that no triangle joins.
+  // If bending is small, A is as good without it. Then its factor has half as many numbers, because hinges
+  // join vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
     constexpr double most = 0.01;
     return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
@@ -253,7 +260,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                            : Vector3Of<Real>::Zero().eval());
   }
 
-  // Moves the cloth against that share of direction_, and returns the longest move, m.
+  // Moves the cloth by -share direction_, or by less if that exceeds longest_move_. Returns the longest move,
+  // m.
   Real move(Real share) {
     Real longest = 0;
     for (const int v : free_)
@@ -272,20 +280,20 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   }
 
   ElasticMetric metric_;
-  std::vector<int> free_;            // slots of its vertices
-  std::vector<std::size_t> pinned_;  // slots of the others
+  std::vector<int> free_;            // slots of the free vertices
+  std::vector<std::size_t> pinned_;  // slots of the pinned vertices
   std::optional<SoftMembrane> soft_membrane_;
   std::optional<SparseFactor<Real>> factor_;
   PairHistory<Real> pairs_;
   double membrane_error_ = 0;
-  double load_ = 0, mass_ = 0;  // the membrane is softened for this load, N; of the free vertices, kg
+  double load_ = 0, mass_ = 0;  // load that the membrane is softened for, N; mass of the free vertices, kg
   Real longest_move_;
-  std::optional<double> softness_;  // of the softest triangle, times the stated compliance
-  Points<Real> force_, gradient_, applied_, direction_;        // by slot; applied_ is A⁻¹ gradient_
+  std::optional<double> softness_;                       // of the softest triangle, in stated compliances
+  Points<Real> force_, gradient_, applied_, direction_;  // by slot; applied_ is A⁻¹ gradient_
   Points<Real> target_change_, applied_change_, last_target_;  // by slot
-  Points<Real> pin_move_;                                      // by pinned_, in the last substep
+  Points<Real> pin_move_;                                      // of pinned_ in the last substep, m
   Real edge_ = 0;                                              // of a mean triangle at rest, m
-  Real last_share_ = 0, last_longest_ = 0;                     // of the last move: of direction_; m
+  Real last_share_ = 0, last_longest_ = 0;  // the last move as a share of direction_; its length, m
   bool stepped_back_ = false;
 };
 
@@ -293,30 +301,29 @@ double error_of_membrane(const QuasiNewton& settings) {
   return settings.membrane == QuasiNewton::Membrane::automatic ? settings.membrane_error : 0;
 }
 
-// The numbers are of the sheets in solver_warnings.cpp; on obstacles of a ball, and a capsule that turns,
-// with 1 × 10.
-std::string_view remedy_of_lag(const QuasiNewton& settings, const UnconvergedRun& run) {
+// experiments/measure_remedies.py has the scenes.
+std::string remedy_of_lag(const QuasiNewton& settings, const UnconvergedRun& run) {
+  using namespace measured;
   if (run.touches)
-    return "More /solver/substeps and iterations help where cloth touches something: in tests 1 substep of "
-           "10 iterations left 14 to 66 times the effects' forces, and 8 of 30 left 0.8 to 1.3 times";
+    return fmt::format(
+        "More /solver/substeps and iterations help where cloth touches something: on a ball that spins 1 "
+        "substep of 10 iterations left {:.2g} times the effects' forces, and 8 of 30 left {:.2g} times",
+        ball_quasi_newton_1x10, ball_quasi_newton_8x30);
   if (settings.membrane == QuasiNewton::Membrane::stated && run.has_strain)
-    return "In tests 10 iterations left at most 1.3 times the effects' forces with /solver/membrane: auto. "
-           "With the stated membrane, at 10⁴ N/m, 10 left 9 times and 40 left 1.6 times";
-  return "More /solver/iterations help: in tests 2 left 4.3 times the effects' forces, 20 left 0.43 times";
+    return fmt::format(
+        "In tests at 10⁴ N/m 10 iterations left {:.2g} times the effects' forces, 40 left {:.2g} times, and "
+        "10 with /solver/membrane: auto left {:.2g} times",
+        quasi_newton_stated_10, quasi_newton_stated_40, quasi_newton_auto_10);
+  return fmt::format(
+      "More /solver/iterations help: in tests 2 left {:.2g} times the effects' forces, 20 left {:.2g} times",
+      quasi_newton_auto_2, quasi_newton_auto_20);
 }
 
-// A strip of 2 × 2 cells that hangs from its rim (Y = 10⁴ N/m, B = 10⁻⁴ N m), in steps of 1/60 s.
-std::vector<std::string_view> remedies(const QuasiNewton& settings, const FailedRun& run) {
-  std::vector<std::string_view> texts;
+std::vector<std::string> remedies(const QuasiNewton& settings, const FailedRun& run) {
+  std::vector<std::string> texts;
   if (run.fell_wrong) return texts;  // nothing was tried there
-  if (settings.integrator == Integrator::bdf2)
-    texts.push_back(
-        "/solver/integrator: euler (a strip gained 0.015 of its energy scale with 10 iterations, instead of "
-        "0.21)");
-  if (run.input.settings.iterations < 30)
-    texts.push_back(
-        "/solver/iterations: 30 (a strip gained none of its energy scale, with 10 iterations 0.015, with 3 "
-        "0.06)");
+  if (settings.integrator == Integrator::bdf2) texts.push_back("/solver/integrator: euler, which damps more");
+  if (run.input.settings.iterations < 30) texts.push_back("/solver/iterations: 30");
   return texts;
 }
 
@@ -324,11 +331,13 @@ std::vector<std::string_view> remedies(const QuasiNewton& settings, const Failed
 
 constinit const MethodKind QuasiNewton::kind{
     .name = "quasi_newton",
-    .summary = "implicit steps by L-BFGS on a metric that is factorised once; the fastest to a pose at rest",
-    .source = "Liu, Bouaziz and Kavan 2017; pairs are kept over steps and the membrane is softened: ours",
+    .summary =
+        "implicit steps by L-BFGS with a constant matrix that is factorised once; the fastest way to a pose "
+        "at rest",
+    .source = "Liu, Bouaziz and Kavan 2017; ours: pairs are kept across steps, and the membrane is softened",
     .limits =
-        "of energies only: every stiffness is a compliance above 0; a step of few iterations lags behind the "
-        "motion, the more the stiffer the membrane; takes no model whose force jumps",
+        "needs energies: every stiffness is a compliance above 0; a step with few iterations lags behind "
+        "the motion, more so with a stiffer membrane; takes no model whose force jumps",
     .settings = table_of<QuasiNewton>(fields),
     .passes = own_passes,
     .factorised = Factorised::scalars,

@@ -1,13 +1,13 @@
-// Implicit steps by vertex block descent (Chen et al. 2024): one vertex after another goes to the minimum of
-// what it alone can change,
+// Implicit steps by vertex block descent (Chen et al. 2024): one vertex after another moves to the minimum of
+// the energy as a function of that vertex alone,
 //
 //   (w 1 + Σ ψ'' ∇C ∇Cᵀ) Δx_i = w (y - x_i) - Σ ψ' ∇C + contact,    ∇ by x_i
 //
-// with the other vertices where they are. One implementation over C and ∇C of every kind of constraint, in
-// double precision, one vertex after another: it shows how block descent converges, not how fast it can be.
+// while all other vertices stay where they are. The implementation uses C and ∇C of every kind of constraint,
+// in double precision and on one thread. It shows how block descent converges, not how fast it can be.
 //
-// `acceleration` is Chebyshev's: from the third iteration on x + ω (Δx + x - x before the last iteration),
-// with the spectral radius ρ of a plain iteration (Wang 2015).
+// `acceleration` is Chebyshev's (Wang 2015): from the third iteration on x_k+1 = x_k-1 + ω (x_k + Δx -
+// x_k-1). ω follows from ρ, the spectral radius of a plain iteration.
 #include <array>
 #include <limits>
 #include <utility>
@@ -23,8 +23,8 @@ namespace {
 // clang-format off
 constexpr std::array own_fields = {
     field<&Vbd::acceleration>({.name = "acceleration", .unit = "1",
-              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of its error that an iteration "
-                         "leaves; 0: none. Too large a ρ diverges",
+              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of the error that a plain iteration "
+                         "leaves; 0: no acceleration. Iterations diverge if ρ is too large",
               .minimum = 0, .maximum = 0.9999}),
 };
 // clang-format on
@@ -66,8 +66,8 @@ class VbdStep final : public ImplicitStep<double> {
     return data_.is_first_iteration ? first_left(longest) : left_after(longest);
   }
 
-  // How far vertices still are from the minimum, m, if the moves go on to shrink as they did: in stiff cloth
-  // each is a small share of what is left.
+  // How far vertices still are from the minimum, m, if the moves shrink further at the same rate. In stiff
+  // cloth a move is only a small share of that distance.
   double first_left(double longest) {
     last_ = longest;
     return longest > 0 ? std::numeric_limits<double>::infinity() : 0;
@@ -77,8 +77,8 @@ class VbdStep final : public ImplicitStep<double> {
     return rate < 1 ? longest * rate / (1 - rate) : std::numeric_limits<double>::infinity();
   }
 
-  // Halves the step until the energy falls: a membrane's force across the sheet grows as the cube of a move,
-  // which the matrix does not know.
+  // Halves the step until the energy falls: a membrane's force along the normal of the sheet grows as the
+  // cube of a move, which the matrix does not contain.
   double descend(std::size_t v) {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
@@ -114,21 +114,21 @@ class VbdStep final : public ImplicitStep<double> {
   }
 
   ElasticSystem system_;
-  Positions positions_, before_;       // #V by 3, m, in world coordinates; before the last iteration
+  Positions positions_, before_;       // #V by 3, m, in world coordinates; x_k-1
   double rho_, omega_ = 1, last_ = 0;  // last_: the longest move of the last iteration, m
   int iteration_ = 0;
 };
 
-// A vertex goes by 1 / (1 + C²) of its way while its neighbours hold it, with the Courant number C of the
-// membrane. Sheets of 8 and 16 cells, Y = 10 to 10⁵ N/m, n iterations: how far they were from newton's
-// motion, in sizes, mean over 1 and 2 s.
+// While its neighbours hold it, a vertex moves by 1 / (1 + C²) of its way. C is the Courant number of the
+// membrane. The table has the distance from newton's motion after n iterations, in sizes, mean over 1 and 2
+// s, for sheets of 8 and 16 cells with Y = 10 to 10⁵ N/m:
 //
 //   n/C²       0.0005-0.005   0.014      0.018         0.045   0.054   0.18          0.54 and more
 //   distance   0.31-0.50      0.12-0.19  0.012, lost   0.03    0.005   0.001-0.003   0.001, 0.01 at C² = 6
 constexpr double enough_reach = 0.1;
 
-// On a spinning plane the cloth turned by 4, 21, 55, 74 and 94 % of the angle at a residual of 0.38, 0.35,
-// 0.32, 0.20 and 0.04.
+// On a spinning plane the cloth turned by 4, 21, 55, 74 and 94 % of the plane's angle at a residual of 0.38,
+// 0.35, 0.32, 0.20 and 0.04.
 constexpr double residual_of_lag_on_obstacle = 0.1;
 
 }  // namespace
@@ -138,8 +138,8 @@ constinit const MethodKind Vbd::kind{
     .summary = "implicit steps by vertex block descent; for comparison",
     .source = "Chen et al. 2024; Chebyshev's acceleration: Wang 2015",
     .limits =
-        "of energies only: every stiffness is a compliance above 0; in double precision, on one thread; a "
-        "correction reaches one ring of neighbours per iteration, so that fine sheets converge slowly",
+        "needs energies: every stiffness is a compliance above 0; double precision and one thread only; a "
+        "correction reaches one ring of neighbours per iteration, so fine sheets converge slowly",
     .settings = table_of<Vbd>(fields),
     .passes = own_passes,
     .cost = 100,

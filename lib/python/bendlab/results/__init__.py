@@ -1,1 +1,1 @@
-"""Run files: the figures read them, and so may everybody."""
+"""Reads run files. The figures use this package; other programs may use it, too."""

@@ -8,12 +8,12 @@ import xxhash
 
 NAME = b"\nbendlab XXH3-128 "
 LENGTH = len(NAME) + 32 + 1
-FINISHED = 3  # exit code of that process: the file should have a checksum
+FINISHED = 3  # exit code of the child process: the file is finished, so it should have a checksum
 TIME_LIMIT = 30  # s, for a child process that reads an unsealed file
 
 
 def checksum(path, size):
-    """Hexadecimal digits of the first `size` bytes."""
+    """The checksum of the first `size` bytes, as hexadecimal digits."""
     state = xxhash.xxh3_128()
     with open(path, "rb") as file:
         while size > 0 and (block := file.read(min(size, 1 << 20))):
@@ -23,14 +23,15 @@ def checksum(path, size):
 
 
 def seal(path):
-    """Ends a file as the program does when it has written it."""
+    """Appends the checksum to a file, as the program does when the file is finished."""
     digits = checksum(path, Path(path).stat().st_size)
     with open(path, "ab") as file:
         file.write(NAME + digits + b"\n")
 
 
 def seal_of(path):
-    """"whole": as it was written; "broken": changed since; "none": unfinished, or not ours."""
+    """The state of a file: "whole": as it was written; "broken": changed since then; "none": without a
+    checksum, because it is unfinished or not ours."""
     size = Path(path).stat().st_size
     if size < LENGTH:
         return "none"
@@ -46,7 +47,7 @@ def require_readable(path):
     """OSError unless HDF5 may read the file here: its checksum is right, or a child process has read it."""
     path = Path(path)
     if not path.is_file():
-        raise OSError(f"{path} is no file")
+        raise OSError(f"{path} is not a file")
     status = path.stat()
     why = _problem(str(path), status.st_mtime_ns, status.st_ctime_ns, status.st_size, status.st_ino)
     if why:
@@ -57,13 +58,13 @@ def require_readable(path):
 def _problem(path, *_):
     seal = seal_of(path)
     if seal == "broken":
-        return "was changed after it was written: its checksum is another one. Run its config again"
+        return "was changed after it was written: its checksum does not match. Run its config again"
     if seal == "none":
         try:
             child = subprocess.run([sys.executable, __file__, path], timeout=TIME_LIMIT, check=False,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         except subprocess.TimeoutExpired:
-            return f"is read without end by the HDF5 library ({TIME_LIMIT} s)"
+            return f"cannot be read: the HDF5 library was still reading it after {TIME_LIMIT} s"
         if child.returncode == FINISHED:
             return ("was changed after it was written: it is finished, but has no checksum. Run its config "
                     "again")
@@ -74,7 +75,7 @@ def _problem(path, *_):
 
 def _read_everything(path):
     import h5py
-    from facts import Facts  # its folder is where this script is
+    from facts import Facts  # found because this script is in its folder
     with h5py.File(path, "r") as file:
         if "facts" in file and Facts(file).status in ("complete", "implausible", "diverged"):
             sys.exit(FINISHED)

@@ -1,7 +1,8 @@
 """The only reader of run files. Layout: lib/bendlab/io/run_file.hpp.
 
-A run file is open only while something is read from it, so that thousands of runs can be listed at once;
-most are not opened for that, because the index of their folder has what is asked for (run_index.py).
+A run file is open only while something is read from it, so that thousands of runs can be listed at once.
+Most run files are not opened for a list, because the index of their folder has what the list needs
+(run_index.py).
 Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
 import json
@@ -23,7 +24,7 @@ from bendlab.results.run_index import Index, stamp_of
 
 
 def _opened(path):
-    """The HDF5 file, once its checksum was found right: it may be known from an index alone."""
+    """The HDF5 file. Its checksum is tested first, because the run may be known only from an index."""
     require_readable(path)
     return h5py.File(path, "r")
 
@@ -32,19 +33,19 @@ class Metrics(Mapping):
     """Name → (F) array of a run file. Each array is read on first use."""
 
     def __init__(self, path, names, frames):
-        self._path, self.frames, self._found = path, frames, dict.fromkeys(names)
+        self._path, self.frames, self._arrays = path, frames, dict.fromkeys(names)
 
     def __getitem__(self, name):
-        if self._found[name] is None:
+        if self._arrays[name] is None:
             with _opened(self._path) as file:
-                self._found.update(zip(self._found, file["metrics/values"][:self.frames].T.copy()))
-        return self._found[name]
+                self._arrays.update(zip(self._arrays, file["metrics/values"][:self.frames].T.copy()))
+        return self._arrays[name]
 
     def __iter__(self):
-        return iter(self._found)
+        return iter(self._arrays)
 
     def __len__(self):
-        return len(self._found)
+        return len(self._arrays)
 
     def about(self, name):
         """(unit, meaning) of a metric."""
@@ -54,7 +55,7 @@ class Metrics(Mapping):
 
 @dataclass
 class Run:
-    """One run. Small data are read at once, metrics and frames on demand."""
+    """A run. Small data are read at once, metrics and frames when they are needed."""
 
     file: Path
     id: str
@@ -70,22 +71,22 @@ class Run:
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
     point: dict = field(default_factory=dict)  # JSON pointer → value: the place on the sweep
     source_hash: str = ""  # identifies the program that wrote the run
-    experiment: str = ""  # its config below configs/, as in "paper/fig5"; "" if it was found without one
+    experiment: str = ""  # its config below configs/, as in "paper/fig5"; "" if it has no config there
     provenance: dict = field(default_factory=dict)  # name → text: commit, processor, threads, …
 
     @property
     def warnings(self):
-        """[{code, message}] that the run was given."""
+        """[{code, message}] of the run's warnings."""
         return _json(self.provenance.get("warnings"), [])
 
     @property
     def broken(self):
         """The first bound that an implausible run broke: {bound, measured, limit, unit, time, vertex, advice,
-        …}. None if it broke none."""
+        …}. None if the run broke no bound."""
         return _json(self.provenance.get("implausible"), None)
 
     def get(self, pointer, default=None):
-        """Value of the resolved config at a JSON pointer."""
+        """The value at a JSON pointer in the resolved config."""
         return at(self.config, pointer, default)
 
     @property
@@ -107,11 +108,11 @@ class Run:
 
     @property
     def over(self):
-        """Whether repeating the run would give the same end."""
+        """Whether the run would end in the same way if it were repeated."""
         return self.complete or self.status == "diverged"
 
     def frame_index(self, frame):
-        """Frame number from 0; a negative `frame` counts from the end. IndexError if there is none."""
+        """Frame number from 0; a negative `frame` counts from the end. IndexError for a missing frame."""
         index = frame + self.frames if frame < 0 else frame
         if not 0 <= index < self.frames:
             raise IndexError(f"{self.file} has {self.frames} frames, no frame {frame}")
@@ -130,16 +131,16 @@ class Run:
             return file["VTKHDF/Points"][index * count:(index + 1) * count].astype(float)
 
     def trajectory(self, frames=None):
-        """(F, V, 3) positions of all frames, or of those with these numbers, float64."""
+        """(F, V, 3) positions of all frames, or of the frames with these numbers, float64."""
         with _opened(self.file) as file:
             count = len(file["rest/positions"])
             points = file["VTKHDF/Points"]
             if frames is None:
                 return points[:self.frames * count].reshape(self.frames, count, 3).astype(float)
-            found = np.empty((len(frames), count, 3))
+            positions = np.empty((len(frames), count, 3))
             for i, frame in enumerate(frames):
-                found[i] = points[frame * count:(frame + 1) * count]
-            return found
+                positions[i] = points[frame * count:(frame + 1) * count]
+            return positions
 
     def cell(self, name, frame=-1):
         """(T) values of a cell field of a frame."""
@@ -191,7 +192,7 @@ class Run:
     @cached_property
     def about(self):
         """{"summary": {name: [unit, meaning]}, "settings": {pointer: [unit, meaning]}}; {}
-        without a file that states them."""
+        if no file states them."""
         try:
             with _opened(self.file) as file:
                 return json.loads(file["about"][()].tobytes()) if "about" in file else {}
@@ -213,7 +214,7 @@ def _json(text, default):
 
 
 def at(config, pointer, default=None):
-    """Value at a JSON pointer in nested dicts and lists, `default` if there is none."""
+    """The value at a JSON pointer in nested dicts and lists; `default` if there is no such value."""
     node = config
     for key in pointer.split("/")[1:]:
         if isinstance(node, list) and key.isdigit() and int(key) < len(node):
@@ -226,42 +227,42 @@ def at(config, pointer, default=None):
 
 
 def method_name(solver):
-    """The method of a config's /solver, with its integrator if that is not its default: "newton, euler"."""
+    """The method of a config's /solver, with the integrator if that is not the default: "newton, euler"."""
     name, integrator = solver.get("method", "pbd"), solver.get("integrator")
     return name if integrator in (None, registry.usual(name, "integrator")) else f"{name}, {integrator}"
 
 
 def load_run(path):
-    """One run from its file, finished or not (`.part`). OSError: not readable, or changed since it was
-    written; KeyError: no run."""
+    """A run from its file, finished or not (`.part`). OSError: the file is not readable, or was changed after
+    it was written; KeyError: it is not a run file."""
     return _run_of(Path(path), _read(path))
 
 
 def _read(path):
-    """What a run file says, but for metrics and frames: what an index has, and more."""
+    """What a run file says, without metrics and frames. An index has a part of this."""
     with _opened(path) as file:
         return {**Facts(file).json, "frames": len(file["metrics/values"])}
 
 
-def _run_of(path, found):
-    provenance = found["provenance"]
+def _run_of(path, stated):
+    provenance = stated["provenance"]
     _learn(provenance.get("models", "{}"), provenance.get("methods", "{}"))
     return Run(
         file=path,
-        id=found["id"],
-        name=found["name"],
-        status="interrupted" if found["status"] == "running" else found["status"],
-        config=found["config"],
-        summary={name: float(value) for name, value in found["summary"].items()},
-        metrics=Metrics(path, found["metrics"], found["frames"]),
-        wall_s=float(found["wall_s"]),
-        step_cpu_s=float(found["step_cpu_s"]),
-        cpu_s=float(found["cpu_s"]),
-        passes={name: float(seconds) for name, seconds, *_ in found["passes"]},
+        id=stated["id"],
+        name=stated["name"],
+        status="interrupted" if stated["status"] == "running" else stated["status"],
+        config=stated["config"],
+        summary={name: float(value) for name, value in stated["summary"].items()},
+        metrics=Metrics(path, stated["metrics"], stated["frames"]),
+        wall_s=float(stated["wall_s"]),
+        step_cpu_s=float(stated["step_cpu_s"]),
+        cpu_s=float(stated["cpu_s"]),
+        passes={name: float(seconds) for name, seconds, *_ in stated["passes"]},
         source_hash=provenance.get("source_hash", ""),
         provenance=provenance,
         point=json.loads(provenance.get("point", "{}")),
-        counts=found["constraints"],
+        counts=stated["constraints"],
     )
 
 
@@ -271,15 +272,14 @@ def _learn(models, methods):
 
 
 def load_runs(folder):
-    """Every run below a folder, in the order of their configs; of equal configs the newest complete one. []
-    if none.
+    """All runs below a folder, in the order of their configs; of runs with equal configs, the newest complete
+    run. [] if there is no run.
 
-    Old results may lie beside new ones: load_experiment() (sweeps.py) has only those
-    of one program and one sweep.
-    Reference runs (`/accuracy`) lie in a folder `references` of their own. They are left out unless `folder`
-    is that folder.
+    Old results may lie beside new results: load_experiment() (sweeps.py) returns only the results of one
+    program and one sweep. Reference runs (`/accuracy`) lie in a folder `references`. They are left out unless
+    `folder` is that folder.
     """
-    found = {}
+    best = {}
     folder = Path(folder)
     indices = Indices(folder)
     for path in _run_files(str(folder)):
@@ -287,14 +287,14 @@ def load_runs(folder):
         if run:
             key = json.dumps(run.config, sort_keys=True)
             rank = (run.complete, os.stat(path).st_mtime_ns)
-            if key not in found or rank > found[key][0]:
-                found[key] = (rank, run)
+            if key not in best or rank > best[key][0]:
+                best[key] = (rank, run)
     indices.write()
-    return [found[key][1] for key in sorted(found)]
+    return [best[key][1] for key in sorted(best)]
 
 
 def _run_files(folder):
-    """Paths (str) of the run files below a folder, sorted, but for those of references."""
+    """Paths (str) of the run files below a folder, sorted, without the run files of references."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if name != "references"]
@@ -315,31 +315,31 @@ class Indices:
         return [index for index in map(Index, places) if len(index)]
 
     def _find(self, path, stamp):
-        found = self._own.find(path, stamp)
-        return found or next(filter(None, (index.find(path, stamp) for index in self._others)), None)
+        stated = self._own.find(path, stamp)
+        return stated or next(filter(None, (index.find(path, stamp) for index in self._others)), None)
 
     def run(self, path):
-        """The run of a file (str) below the folder: from an index if one knows it as it is, else from the
-        file. Raises what load_run() does."""
+        """The run of a file (str) below the folder: from an index if the index knows the file in its present
+        state, else from the file. Raises what load_run() raises."""
         stamp = stamp_of(path)
-        found = self._find(path, stamp)
-        if found:
-            return _run_of(Path(path), found)
-        found = _read(path)
+        stated = self._find(path, stamp)
+        if stated:
+            return _run_of(Path(path), stated)
+        stated = _read(path)
         if path.endswith(".vtkhdf"):
-            self._own.put(path, stamp, found)
+            self._own.put(path, stamp, stated)
             self._new += 1
-        return _run_of(Path(path), found)
+        return _run_of(Path(path), stated)
 
     def write(self):
-        """Keeps what was read from files in the folder's own index."""
+        """Writes what was read from files into the folder's own index."""
         if self._new:
             self._own.write()
 
 
 def load_if_begun(path, indices=None):
-    """The run, or None if the file is not there, is damaged (then stderr names it), or is cut off before its
-    first frame. `indices`: of a folder above the file."""
+    """The run, or None if the file is not there, is damaged (then stderr names the file), or is cut off
+    before its first frame. `indices`: the indices of a folder above the file."""
     if not os.path.exists(path):
         return None
     try:
@@ -412,9 +412,10 @@ def statuses(runs):
 
 
 def typical_run(runs, metric="pin_max_stretch"):
-    """(run, its last frame) of the run whose median over the last second is nearest to that of all runs.
+    """(run, its last frame) of the run whose median over the last second is nearest to all runs' median.
 
-    None without any. The last frame and not a typical one: all panels of a figure show the same time.
+    None without runs. The last frame is taken, and not a typical frame, so that all panels of a figure show
+    the same time.
     """
     middles = [(np.median(seen), run) for run in runs
                if len(seen := run.metrics[metric][run.last_second()]) and np.isfinite(np.median(seen))]

@@ -1,8 +1,9 @@
-"""Units and meanings of the numbers of runs and of their settings, as the run files state them."""
+"""Units and meanings of the metrics and settings of runs, as the run files state them."""
 
 
 class Meanings:
-    """Of some runs: what the file of the first run that knows a name says. ("", "") for an unknown name."""
+    """Units and meanings for some runs, from the file of the first run that knows a name. ("", "") for an
+    unknown name."""
 
     def __init__(self, runs):
         kinds = {}
@@ -17,9 +18,9 @@ class Meanings:
         return self._find("settings", pointer)
 
     def number(self, name):
-        """(unit, meaning) of a number of a run's summary."""
+        """(unit, meaning) of a metric of a run's summary."""
         return self._find("summary", name)
 
     def _find(self, part, name):
-        found = (run.about[part][name] for run in self._runs if name in run.about.get(part, {}))
-        return tuple(next(found, ("", "")))
+        stated = (run.about[part][name] for run in self._runs if name in run.about.get(part, {}))
+        return tuple(next(stated, ("", "")))

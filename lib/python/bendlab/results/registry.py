@@ -1,7 +1,8 @@
 """The bending models and solver methods that the program has, in its order, with their traits.
 
-configs/schema.json lists those of this checkout, so that pages are laid out without runs. Run files and sweep
-files list those of the program that wrote them, which may have more: these come after the others.
+configs/schema.json lists the models and methods of this checkout, so that pages are laid out without runs.
+Run files and sweep files list the models and methods of the program that wrote them, which may have more:
+the additional ones come last.
 """
 import json
 from pathlib import Path
@@ -11,7 +12,8 @@ _models, _methods = {}, {}  # name → traits, as far as they are known
 
 
 def learn(models, methods):
-    """Takes in what a file lists. Older files have a label in place of a model's traits, and no methods."""
+    """Adds the models and methods that a file lists. Older files have a label in place of a model's traits,
+    and no methods."""
     for known, listed in ((_models, models), (_methods, methods)):
         for name, traits in listed.items():
             known.setdefault(name, {}).update(traits if isinstance(traits, dict) else {})
@@ -28,12 +30,12 @@ def methods():
 
 
 def model_place(name):
-    """The number of a model in the order of all; one that no file lists comes last."""
+    """The index of a model in the order of all models. A model that no file lists comes last."""
     return _place(_models, name)
 
 
 def method_place(name):
-    """The same of a solver method."""
+    """The index of a solver method in the order of all methods."""
     return _place(_methods, name)
 
 
@@ -43,22 +45,23 @@ def _place(known, name):
 
 
 def made_of(model):
-    """What the model's constraints are: "nothing", "springs", "hinges", "elements"; "" if it is not known."""
+    """What the model's constraints are: "nothing", "springs", "hinges", "elements"; "" if not known."""
     return _models.get(model, {}).get("made_of", "")
 
 
 def is_prestressed(model):
-    """Whether its springs push in the sheet at rest."""
+    """Whether the model's springs push in the sheet at rest."""
     return _models.get(model, {}).get("prestressed", False)
 
 
 def has_springs_at_rest(model):
-    """Whether its constraints are springs that do not push in the sheet at rest: their moment is C κ³."""
+    """Whether the model's constraints are springs that do not push in the sheet at rest: their moment is
+    C κ³."""
     return made_of(model) == "springs" and not is_prestressed(model)
 
 
 def usual(method, setting):
-    """The default of a method's own setting that is a choice; None if it has none."""
+    """The default of a method's own setting, if the setting is a choice; else None."""
     return _methods.get(method, {}).get(setting)
 
 

@@ -9,18 +9,18 @@ import xxhash
 NAME = "runs.index"
 FIRST = b"bendlab index 2\n"
 HEAD = ("id", "name", "status", "frames", "wall_s", "cpu_s", "step_cpu_s", "metrics", "constraints", "passes")
-PARTS = ("summary", "provenance", "config")  # of a line, behind its head
+PARTS = ("summary", "provenance", "config")  # the parts of a line after its head
 
 
 def stamp_of(path):
-    """(size, modified, changed) of a file: bytes and ns. A line counts while its file has them."""
+    """(size, modified, changed) of a file, in bytes and ns. A line is valid while its file has this stamp."""
     status = os.stat(path)
     return status.st_size, status.st_mtime_ns, status.st_ctime_ns
 
 
 class Index:
-    """What an index says of the finished runs below its folder. An index that is missing or damaged says
-    nothing."""
+    """What an index says about the finished runs below its folder. An index that is missing or damaged is
+    empty."""
 
     def __init__(self, folder):
         self.folder, self._lines = Path(folder), {}  # path below the folder → line
@@ -50,16 +50,16 @@ class Index:
         return {**head, **dict(zip(PARTS, parts))}
 
     def put(self, path, stamp, run):
-        """Takes in what a file (str) below the folder says."""
+        """Adds the line of a file (str) below the folder: `run` is what the file says."""
         parts = [{name: run[name] for name in HEAD}, *(run[name] for name in PARTS)]
         name = path[len(str(self.folder)) + 1:]
         if "\t" in name or "\n" in name:
-            return  # the program reads such files anew, too
+            return  # the program does not index such files either
         texts = (json.dumps(part, separators=(",", ":")) for part in parts)
         self._lines[name] = "\t".join([name, *map(str, stamp), *texts])
 
     def write(self):
-        """Replaces the index on the disk, in one step; nothing where that is not possible."""
+        """Replaces the index on the disk in one step; does nothing if that is not possible."""
         lines = os.fsencode("".join(line + "\n" for name, line in sorted(self._lines.items())
                                     if os.path.isfile(f"{self.folder}/{name}")))
         draft = self.folder / f"{NAME}.{os.getpid()}-{secrets.token_hex(8)}.tmp"
