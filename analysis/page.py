@@ -47,8 +47,13 @@ def main():
         for name, _ in section.pictures:
             print(out / name, flush=True)
         return
-    sections = () if arguments.again else draw(page, results, out, arguments.only, arguments.pdf)
-    lay_out(page, out, sections)
+    try:
+        sections = () if arguments.again else draw(page, results, out, arguments.only, arguments.pdf)
+        lay_out(page, out, sections)
+    except ValueError as error:
+        if KEPT not in str(error):
+            raise
+        parser.error(str(error))
     if out.name in PAGES:
         start.write(out.parent)
     print(out / "index.html", flush=True)

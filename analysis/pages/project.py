@@ -108,8 +108,12 @@ def drawn(module, section, results, out, command=""):
 
 
 def kept(out):
-    """The sections that draw() kept in a folder."""
-    return [Section.of_json(entry) for entry in json.loads((out / KEPT).read_text(encoding="utf-8"))]
+    """The sections that draw() kept in a folder. ValueError: another version of this program wrote them."""
+    try:
+        return [Section.of_json(entry) for entry in json.loads((out / KEPT).read_text(encoding="utf-8"))]
+    except (KeyError, TypeError):
+        raise ValueError(f"{out / KEPT} was written by another version of this program: make the page again "
+                         "from its runs") from None
 
 
 def summary(out):

@@ -55,7 +55,10 @@ def write(results):
 
 def sections(results, name):
     """The sections that a page keeps; [] if there is no page."""
-    return kept(results / name) if (results / name / KEPT).exists() else []
+    try:
+        return kept(results / name) if (results / name / KEPT).exists() else []
+    except ValueError:  # of another version: its card then has no answer
+        return []
 
 
 # --- the chooser -------------------------------------------------------------------------------------------

@@ -207,7 +207,7 @@ class Report:
 
     @cached_property
     def summary(self):
-        """Name → {label, unit, meaning} of the numbers that the page's data have of its runs."""
+        """Name → {label, unit, meaning} of every number of a run in the data of the page."""
         all_of = lambda sweep: charts.numbers_of(sweep, most=None)
         several = map(all_of, self.sweeps) if len(self.runs) <= MOST_RUNS else self.numbers
         return {number["name"]: {key: number[key] for key in ("label", "unit", "meaning")}

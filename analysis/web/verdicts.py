@@ -84,7 +84,7 @@ def _checks_table(checks):
 # --- maps --------------------------------------------------------------------------------------------------
 
 def map_mark(claim_map):
-    """(class, text) of the verdict of a map: a word or two; the map's sentence stands below."""
+    """(CSS class, text) of the verdict of a map: one to three words. The full sentence stands below."""
     if claim_map.holds is None:
         return "open", "open"
     if isinstance(claim_map.holds, float):

@@ -36,7 +36,7 @@ def series(rows):
 
 
 def model_of(name):
-    """The bending model whose constraints rows of this name time; None for other rows."""
+    """The bending model whose constraints are timed in the rows of this name; None for other rows."""
     model, _ = RENAMED.get(name, (name, ""))
     return model if model in registry.models() else None
 

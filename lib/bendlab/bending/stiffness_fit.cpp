@@ -104,7 +104,7 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
   const auto [least, most] = std::minmax_element(total.begin(), total.end());
   const double reached = area - unreached;
   return {{name + "_factor", own > 0 ? calibrated / own : 0,
-           "mean factor on the model's own stiffnesses, which hold for a compliance of 1"},
+           "mean factor by which the fit multiplies the model's own stiffnesses, those at a compliance of 1"},
           {name + "_rms", reached > 0 ? std::sqrt(squares / reached) : 0,
            "RMS over the free vertices of the relative error of their bending energy, which is averaged over "
            "directions"},

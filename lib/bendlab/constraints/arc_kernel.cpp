@@ -125,7 +125,7 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return {3 * e - z * f, 4 * per_e, -4 * f * per_e * per_e * per_e};
   }
 
-  // The same with the polynomial law: p is convex in ρ, and the first guess takes the slope at 1 - ρ = 0.
+  // Like arc(), for the polynomial law: p is convex in ρ. The first guess uses the slope at ρ = 1.
   BENDLAB_INLINE static Bent quartic(const P& load, const P& yielding) {
     constexpr int steps = sizeof(Real) == 4 ? 2 : 3;
     const Bent straight = quartic_at(broadcast<Real>(1));

@@ -28,8 +28,7 @@ Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = null
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose};
 }
 
-// HDF5 1.10 crashes if it finds no memory for the cache of a file, which is half a megabyte of pointers and
-// more.
+// HDF5 1.10 crashes if it cannot allocate the cache of a file, more than half a megabyte.
 void require_memory_of_cache() {
   constexpr std::size_t bytes = 4 << 20;
   void* const volatile memory = std::malloc(bytes);  // volatile: else malloc may be optimised away

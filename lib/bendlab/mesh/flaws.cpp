@@ -82,7 +82,7 @@ struct Star {
   std::vector<Eigen::RowVector3i> triangles;  // each turned so that the vertex comes first
 };
 
-// Interior vertices, about one of `every`. No two of them have a neighbour in common.
+// Interior vertices of which no two have a neighbour in common.
 std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   const RestMesh rest(mesh);
   std::vector<char> taken(static_cast<std::size_t>(rest.vertex_count()), 0);

@@ -39,7 +39,7 @@ Positions folded(const RestMesh& rest, int folds, double gap) {
   return positions;
 }
 
-// Equal columns flat on top of each other: a zigzag along x without thickness, every crease shut.
+// The sheet folded like a fan along x: strips of equal width lie flat on each other, without thickness.
 Positions creased(const RestMesh& rest, int creases) {
   const double column = (rest.box_max() - rest.box_min()).x() / (creases + 1);
   Positions positions = rest.positions();
