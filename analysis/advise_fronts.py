@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes the best settings of the measured scenes: the table that `bendlab advise` starts from.
+"""Writes the table of settings that `bendlab advise` tries first: the best settings of measured scenes.
 
-Reads results/accuracy/summary.json, writes experiments/advise/fronts.def. For each scene and mesh in which
-models and solvers are compared on one stated cloth, it keeps the settings that no other setting beats in both
-error and time, and whose error is a fifth smaller than that of the next faster kept setting.
+Reads results/accuracy/summary.json, writes experiments/advise/fronts.def. Each scene and mesh has runs of one
+cloth with different models and solvers. The script goes through these runs from the fastest to the slowest,
+and keeps a run if its error is at least a fifth smaller than the smallest error of the faster runs.
 """
 
 import argparse
@@ -16,18 +16,18 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/trial.hpp
 BETTER = 0.8
-# Settings that make another kind of solver → their values if they are not stated.
+# Settings of solver methods → usual values. The table states only unusual values.
 OF_KIND = {"levels": 0, "membrane": None, "integrator": None, "sweep": "forward"}
 HEAD = """\
-// Settings that were the best of a measured scene: model, method, its further settings, then substeps and
-// iterations.
+// The best settings of measured scenes: model, solver method, further settings of the method, {substeps,
+// iterations}.
 // Made by analysis/advise_fronts.py from results/accuracy/summary.json.
 """
 
 
 def error_of(run):
-    """Distance of a run from the stated cloth; for dihedral hinges it may be that from their own equilibrium,
-    a pose of that cloth. None if it is unknown or too large."""
+    """The distance of a run from the stated cloth. Runs of dihedral hinges may state the distance from their
+    own equilibrium instead. None if the error is unknown or too large."""
     error = run.get("error_physical_rms")
     strain = run.get("error_physical_strain", run.get("error_solver_strain"))
     if error is None and run["model"] == "dihedral":
@@ -37,7 +37,7 @@ def error_of(run):
 
 
 def scene_of(run):
-    """The key of runs that are compared: experiment without its suffixes, cells, other swept settings."""
+    """A text that runs of the same scene and mesh share: experiment, cells, swept settings of the scene."""
     name = run["experiment"].replace("_slow", "").replace("_work", "")
     swept = {k: v for k, v in run["point"].items() if not k.startswith(("/bending", "/solver"))}
     return f'{name} {run["cells"]} {json.dumps(swept, sort_keys=True)}'
@@ -66,7 +66,7 @@ def best_settings(runs):
 
 
 def table(settings):
-    """The table as text: a line for the settings that differ in substeps and iterations only."""
+    """The table as text. Settings that differ only in substeps and iterations share a line."""
     text = HEAD
     for (method, kind, model), alike in groupby(settings, key=lambda setting: setting[:3]):
         works = ", ".join(f"{{{substeps},{iterations}}}" for *_, substeps, iterations in alike)

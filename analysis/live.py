@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`bendlab view --live`: serves the page of a run that is going on. `live.py --help` has the options."""
+"""`bendlab view --live`: serves the page of a run while it is computed. `live.py --help` has the options."""
 import right_python  # noqa: F401  (first: it may hand over to another Python)
 import sys
 

@@ -19,16 +19,16 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("page", choices=PAGES)
     parser.add_argument("--results", type=Path, help="folder with the runs (default: results); for "
-                                                     "performance the file with the output of `bendlab bench "
-                                                     "--json` (default: bench.json in the page's folder)")
+                                                     "performance, the output file of `bendlab bench --json` "
+                                                     "(default: bench.json in the page's folder)")
     place = parser.add_mutually_exclusive_group()
     place.add_argument("--out", type=Path, help="folder for the page (default: results/own/PAGE)")
     place.add_argument("--committed", action="store_true", help="write the project's own page, results/PAGE")
     how = parser.add_mutually_exclusive_group()
-    how.add_argument("--again", action="store_true", help=f"write index.html again, from {KEPT} beside it")
+    how.add_argument("--again", action="store_true", help=f"write index.html from {KEPT}; runs are not read")
     how.add_argument("--only", metavar="FIGURE", nargs="+", default=[],
-                     help="draw these figures again, and keep the others")
-    how.add_argument("--figure", help="draw this figure alone, without a page, and print its pictures' files")
+                     help="draw only these figures again, and keep all other figures")
+    how.add_argument("--figure", help="draw only this figure, without a page, and print the picture files")
     parser.add_argument("--pdf", action="store_true", help="write every figure as PDF, too")
     arguments = parser.parse_args()
     module = PAGES[arguments.page]
@@ -37,10 +37,10 @@ def main():
     results = arguments.results or getattr(module, "default_results", lambda out: Path("results"))(out)
     ids = [figure.id for figure in page.figures]
     if unknown := [name for name in [*arguments.only, *filter(None, [arguments.figure])] if name not in ids]:
-        parser.error(f"{page.name} has no figure {unknown[0]}; it has: {', '.join(ids)}")
+        parser.error(f"the page {page.name} has no figure {unknown[0]}; its figures are: {', '.join(ids)}")
     if arguments.again and not (out / KEPT).exists():
-        parser.error(f"--again makes the page from {out / KEPT}, which does not exist: leave --again out, or "
-                     "name the folder of a page with --out or --committed")
+        parser.error(f"--again needs {out / KEPT}, which does not exist. Leave out --again, or name the "
+                     "folder of a page with --out or --committed")
     if arguments.figure:
         out.mkdir(parents=True, exist_ok=True)
         section = drawn(*described(page.figures[ids.index(arguments.figure)]), results, out, page.command)

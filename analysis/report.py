@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`bendlab report` and `bendlab view`: the page of any runs. `report.py --help` has the options."""
+"""`bendlab report` and `bendlab view`: write a page of any runs. `report.py --help` has the options."""
 import right_python  # noqa: F401  (first: it may hand over to another Python)
 import sys
 

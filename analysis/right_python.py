@@ -1,4 +1,4 @@
-"""Imported first by scripts that people call: a Python without the libraries hands over to one with them."""
+"""Imported first by scripts for users: starts another Python if this Python lacks a library."""
 import importlib.util
 import os
 import re
@@ -16,7 +16,7 @@ def missing():
 
 
 def other_pythons():
-    """Other Pythons that may have the libraries: the Python that the build found, and the system's."""
+    """Other Pythons that may have the libraries: the Python that the build found, and /usr/bin/python3."""
     caches = [cache.read_text(encoding="utf-8") for cache in sorted(BUILD.glob("*/CMakeCache.txt"))]
     named = [match[1] for text in caches if (match := re.search(r"^BENDLAB_PYTHON:\w+=(.+)$", text, re.M))]
     return [python for python in dict.fromkeys([*named, "/usr/bin/python3"]) if Path(python).exists()]
@@ -29,15 +29,16 @@ def has_all(python):
 
 
 def hand_over():
-    """Continues in another Python if this Python lacks a library; ends with advice if no Python has all."""
+    """Restarts the script in another Python if this Python lacks a library; exits if no Python has all."""
     lacking = missing()
     if not lacking:
         return
     for python in other_pythons():
         if has_all(python):
             os.execv(python, [python, *sys.argv])
-    sys.exit(f"{sys.argv[0]}: this Python, {sys.executable}, has no {', '.join(lacking)}, and no other was "
-             "found that has; on Debian: apt-get install python3-numpy python3-h5py python3-matplotlib")
+    sys.exit(f"{sys.argv[0]}: this Python, {sys.executable}, lacks {', '.join(lacking)}, and no other Python "
+             "with all libraries was found. On Debian, install them with: apt-get install python3-numpy "
+             "python3-h5py python3-matplotlib")
 
 
 # With small matrices OpenBLAS threads wait for each other: 100 times as slow on a busy machine.

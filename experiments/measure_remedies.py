@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Measures the numbers that warnings, remedies and the page of stability state about changed settings.
+"""Measures the numbers about changed settings that warnings, remedies and the stability page state.
 
     ./bendlab python experiments/measure_remedies.py            # lib/bendlab/solver/measured.hpp
     ./bendlab python experiments/measure_remedies.py --reasons  # results/stability/apart.json; half an hour
 
-The scenes are small and fail on purpose. Runs are kept in results/own/remedies; a run that is there is not
-computed again. Texts state two significant digits.
+The scenes are small and fail on purpose. Runs are stored in results/own/remedies, and are computed
+only if they are missing there. Texts state two significant digits.
 """
 import copy
 import json
@@ -37,11 +37,11 @@ TORN = {"allow": ["implausible"], "duration": 2,
                    "sweep": "forward", "precision": "single"}}
 # A sheet that is pinned at its centre, without bending.
 CENTRE = TORN | {"mesh": TORN["mesh"] | {"cells": 24}, "pins": {"vertices": ["centre"], "ring": 0}}
-# A free sheet of dihedral hinges that starts 100 times as large, without gravity.
+# A free sheet of dihedral hinges without gravity, which starts at 100 times its rest size.
 STRETCHED = TORN | {"mesh": TORN["mesh"] | {"cells": 16}, "pins": {"vertices": [], "ring": 0}, "effects": [],
                     "bending": {"model": "dihedral", "stiffness": "k", "k": 1},
                     "initial": {"scale": [100, 100, 1]}}
-# A free sheet at rest, but for a millionth of its size, without forces.
+# A free sheet without forces, displaced from rest by a millionth of its size.
 STILL = TORN | {"duration": 0.5, "mesh": TORN["mesh"] | {"cells": 16}, "pins": {"vertices": [], "ring": 0},
                 "effects": [], "initial": {"perturbation": 1e-6},
                 "solver": TORN["solver"] | {"substeps": 1024, "iterations": 1}}
@@ -53,7 +53,7 @@ STATED = {"allow": ["implausible"], "duration": 2, "mesh": {"width": 1, "height"
           "material": {"density": 0.2, "strain": {"stiffness": "compliance", "compliance": 1e-4}},
           "bending": {"model": "discrete_shells", "stiffness": "physical", "flexural_rigidity": 1e-5},
           "effects": [GRAVITY], "output": {"frames_per_second": 30}}
-# The same sheet falls on a ball that spins.
+# The sheet of STATED, which falls on a ball that spins.
 BALL = STATED | {"pins": {"vertices": []}, "effects": [
     GRAVITY, {"type": "sphere", "centre": [0.5, 0.5, -0.35], "radius": 0.3, "spin": 3}, {"type": "friction"}]}
 EXACT = '/solver={"method": "newton", "substeps": 12, "tolerance": 1e-7}'
@@ -89,7 +89,7 @@ def measured(name, config, changes, metric, sweep=None):
 
 
 def torn():
-    """The most stretched triangle in any frame, of three models: as it is, with tethers, in 10 substeps."""
+    """The largest stretch in any frame, of three models: unchanged, with tethers, in 10 substeps."""
     def worst(**changes):
         return np.concatenate([
             measured("torn", TORN, changes | {"/mesh/cells": cells, "/bending/model": model}, "worst_stretch")
@@ -101,7 +101,7 @@ def torn():
 
 
 def centre():
-    """The most stretched triangle at the end."""
+    """The largest stretch of a triangle at the end."""
     def most(substeps, iterations, effects=(GRAVITY,)):
         return measured("centre", CENTRE, {"/solver/substeps": substeps, "/solver/iterations": iterations,
                                            "/effects": list(effects)}, "max_stretch").item()
@@ -114,7 +114,7 @@ def centre():
 
 
 def long_steps():
-    """The most stretched triangle in any frame of sheets in long steps, without and with a limited flight."""
+    """The largest stretch in any frame of sheets in long steps, without and with /solver/flight_limit."""
     fifteenth = {"/bending/model": "adaptive", "/solver/dt": 1 / 15}
     second = {"/bending/model": "crossover", "/bending/k": 1, "/mesh/cells": 16, "/solver/dt": 1,
               "/pins/vertices": ["upper_left", "upper_right"], "/duration": 4}
@@ -144,7 +144,7 @@ def pushed():
 
 
 def implicit():
-    """What steps leave unbalanced, in times the forces of the effects."""
+    """The unbalanced force at the end of a step, divided by the force of the effects."""
     def left(method, iterations, stiffness, **settings):
         solver = {"method": method, "substeps": 1, "iterations": iterations, **settings}
         return measured("implicit", STATED, {"/material/strain/compliance": 1 / stiffness, "/solver": solver},
@@ -158,7 +158,7 @@ def implicit():
 
 
 def lag():
-    """How far cloth is from its converged motion, in % of its size, by what its steps leave unbalanced."""
+    """Distances of cloth from its converged motion, in % of its size, by ranges of the unbalanced force."""
     points = []
     for stiffness in (1e3, 1e4, 1e5, 1e6):
         for method, membrane in (("quasi_newton", {"membrane": "stated"}), ("newton", {}), ("vbd", {})):
@@ -176,7 +176,7 @@ def lag():
 
 
 def ball():
-    """What steps leave unbalanced where cloth lies on a ball."""
+    """The unbalanced force at the end of a step, divided by the force of the effects, for cloth on a ball."""
     def left(method, substeps, iterations):
         return measured("ball", BALL, {"/solver": {"method": method, "substeps": substeps,
                                                    "iterations": iterations}}, "step_residual").item()
@@ -186,7 +186,7 @@ def ball():
 
 
 def reasons():
-    """Runs the hard cases with the changed settings that reasons name, in double precision."""
+    """Runs the hard cases in double precision, with the changed settings of stability_reasons.py."""
     found = {}
     for config, change in dict.fromkeys(pair for reason in REASONS for pair in reason.apart):
         settings = json.loads((ROOT / f"configs/{FOLDER}/{config}.json").read_text(encoding="utf-8"))

@@ -1,4 +1,6 @@
-"""The charts of a report as files for papers: SVG, PDF or PNG, a file for each chart and number."""
+"""The charts of a report as SVG, PDF or PNG files for papers, with a file for each metric of a chart. A held
+axis of a chart is a swept setting that has one value in each panel.
+"""
 import re
 import textwrap
 from pathlib import Path
@@ -9,9 +11,9 @@ from matplotlib.ticker import NullLocator
 
 from draw import style
 
-MOST_TEXTS = 30  # a figure with more points has no texts at them
-MOST_PANELS, MOST_NUMBERS = 18, 3  # of a chart of a page in one file
-DECADE = 10  # an axis is logarithmic if its largest number is at least this many times its smallest
+MOST_TEXTS = 30  # a figure with more points has no texts beside its points
+MOST_PANELS, MOST_NUMBERS = 18, 3  # of one chart in one file
+DECADE = 10  # an axis is logarithmic if its numbers span at least this factor
 SIZE = (4.4, 3.1)  # inches, of the axes with their labels
 MOST_MARKS = 60  # a curve with more points is a line without marks
 NO_DATE = {"pdf": {"CreationDate": None}, "svg": {"Date": None}, "png": {}}  # equal charts are equal files
@@ -21,7 +23,7 @@ plt.rcParams.update({"svg.fonttype": "none",  # texts of an SVG stay texts
 
 
 def write(charts, folder, kind):
-    """Writes the charts into a folder; returns the files."""
+    """Writes the charts into a folder, and returns the paths of the files."""
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for chart in charts:
@@ -36,7 +38,7 @@ def write(charts, folder, kind):
 
 
 def _name(chart, number=None):
-    """A file's name: what is drawn, against what."""
+    """The name of a chart's file, for example `max-stretch-against-cells`."""
     sweep = re.match(r"s(\d+)-", chart["id"])
     parts = [f"sweep{sweep[1]}" if sweep and sweep[1] != "1" else "",
              f"{number['name']} against {chart['x']['label']}" if number else chart["title"]]
@@ -52,7 +54,6 @@ def _saved(figure, folder, name, kind):
 
 
 def _titled(about):
-    """A number's label with its unit."""
     unit = about.get("unit", "")
     return f"{about['label']} ({unit})" if unit and unit != "1" else about["label"]
 
@@ -60,8 +61,8 @@ def _titled(about):
 # --- curves ------------------------------------------------------------------------------------------------
 
 def write_chart(chart, folder, name):
-    """Writes a chart of a page as folder/name.png: a panel for each value of its first held axis, or for each
-    of its numbers. Returns the file's name; None if no number is finite: then there is no file."""
+    """Writes a chart of a page as folder/name.png: a panel for each value of the first held axis, or for each
+    metric. Returns the name of the file. Returns None and writes no file if no number is finite."""
     if chart["kind"] == "bars":
         return style.save(_bars(chart), folder, name, large=0)
     usual = [axis["at"] for axis in chart["held"]]
@@ -96,7 +97,7 @@ def write_chart(chart, folder, name):
 
 
 def _lines(chart, number):
-    """A figure of one number of a chart of curves; None if no curve has it."""
+    """A figure that shows one metric of a chart with curves. None if no curve has this metric."""
     held = [axis["at"] for axis in chart.get("held", [])]
     curves = _curves(chart, number, held)
     if not curves:
@@ -110,7 +111,7 @@ def _lines(chart, number):
 
 
 def _curves(chart, number, held):
-    """(series, x, y, ranges) of the curves of a number at these places of the held axes."""
+    """(series, x, y, ranges) of each curve of a metric. `held`: index of the value of each held axis."""
     visible = [series for series in chart["series"] if number["name"] in series["y"]
                and series.get("held", []) in (held, [])]
     curves = [(series, *_known(series, number["name"])) for series in visible]
@@ -118,7 +119,7 @@ def _curves(chart, number, held):
 
 
 def _panel(axes, chart, number, held):
-    """Draws one number of a chart; returns the meaning of the texts at its points."""
+    """Draws one metric of a chart. Returns the meaning of the texts beside the points."""
     curves, band = _curves(chart, number, held), chart["x"]["scale"] == "band"
     categories = _categories(chart, curves)
     if band:
@@ -141,7 +142,7 @@ def _panel(axes, chart, number, held):
 
 
 def _known(series, name):
-    """x, y and the (low, high) of the points whose numbers are finite."""
+    """(x, y, (low, high)) of the points of a series whose x and y are finite."""
     number = lambda value: np.nan if value in (None, "∞", "-∞") else float(value)
     x, y = (np.array([number(value) for value in values]) for values in (series["x"], series["y"][name]))
     known = np.isfinite(x) & np.isfinite(y)
@@ -166,7 +167,7 @@ def _curve(axes, series, x, y, ranges, band, joined):
 
 
 def _write_texts(axes, chart, curves):
-    """Writes a text beside each point if the points are few; returns the meaning of these texts."""
+    """Writes a text beside each point if there are few points. Returns the meaning of these texts."""
     if not chart.get("texts") or sum(len(x) for _, x, *_ in curves) > MOST_TEXTS:
         return ""
     for series, x, y, _ in curves:
@@ -177,7 +178,7 @@ def _write_texts(axes, chart, curves):
 
 
 def _categories(chart, curves):
-    """The indices of the categories that the curves have, in order; all categories without held axes."""
+    """The sorted indices of the categories in these curves. All categories if the chart has no held axis."""
     if chart["x"]["scale"] != "band":
         return []
     used = {int(at) for _, x, *_ in curves for at in x}
@@ -185,7 +186,7 @@ def _categories(chart, curves):
 
 
 def _scales(axes, chart, xs, values, categories):
-    """Sets scales and ticks: along x those of the chart; along y as it states, else by the numbers."""
+    """Sets scales and ticks. If the chart states no scale for y, the numbers decide."""
     x, wanted = chart["x"], chart.get("y_scale") or scale_of(values)
     band = x["scale"] == "band"
     if wanted == "log":
@@ -203,13 +204,13 @@ def _scales(axes, chart, xs, values, categories):
 
 
 def scale_of(values):
-    """log if the numbers are positive and span a decade, else linear."""
+    """'log' if all finite numbers are positive and span a factor of DECADE; otherwise 'linear'."""
     known = [value for value in values if np.isfinite(value)]
     return "log" if known and min(known) > 0 and max(known) >= DECADE * min(known) else "linear"
 
 
 def _apart(values, least=1.35):
-    """The values of a logarithmic axis that have room for their labels."""
+    """The values that get a label on a logarithmic axis, so that labels do not overlap."""
     kept = []
     for value in values:
         if not kept or value >= least * kept[-1]:
@@ -218,7 +219,6 @@ def _apart(values, least=1.35):
 
 
 def _held_text(chart, held):
-    """What the other axes are, "" without any."""
     return ", ".join(f"{axis['label']} {axis['values'][at]}" for axis, at in zip(chart.get("held", []), held))
 
 

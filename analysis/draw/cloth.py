@@ -1,4 +1,4 @@
-"""Cloth in a panel of a figure: cameras, colours of stretch, the time, pins."""
+"""Draws cloth in the panels of a figure, with cameras, colours of stretch, time and pins."""
 from dataclasses import dataclass, field
 
 import matplotlib.pyplot as plt
@@ -14,13 +14,13 @@ LABEL = dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72)  # be
 
 
 def stretch_colours(excess):
-    """(T) sigma_1 - 1 → (T, 3) sRGB. NaN gets the colour of the largest stretch."""
+    """The colours of triangles: (T) σ₁ - 1 → (T, 3) sRGB. NaN gets the colour of the largest stretch."""
     excess = np.nan_to_num(np.asarray(excess, float), nan=STRETCH_NORM.vmax, posinf=STRETCH_NORM.vmax)
     return STRETCH(STRETCH_NORM(np.clip(excess, STRETCH_NORM.vmin, STRETCH_NORM.vmax)))[:, :3]
 
 
 def camera_of(samples, **how):
-    """One camera for all samples (run, frame) of a figure; None if there are none."""
+    """One camera for all samples (run, frame) of a figure. None without samples."""
     samples = [sample for sample in samples if sample]
     if not samples:
         return None
@@ -31,11 +31,11 @@ def camera_of(samples, **how):
 
 
 def cameras_of(samples, **how):
-    """A camera for each sample (run, frame), all with one scale: the largest sheet that is not torn fills a
-    panel.
+    """A camera for each sample (run, frame). All cameras have one scale, at which the largest sheet that is
+    not torn fills a panel.
 
-    Each camera is centred on its sheet. Of a torn sheet it shows the part within reach of an unstretched
-    sheet.
+    Each camera looks at the centre of its sheet. If a sheet is torn, the camera shows only the region that an
+    unstretched sheet can reach.
     """
     holds = [bool(sample) and sample[0].metrics["mean_strain"][sample[1]] < TORN for sample in samples]
     cameras = [camera_of([sample], reach=1.25 if held else 1.02, **how)
@@ -48,19 +48,19 @@ def cameras_of(samples, **how):
 
 @dataclass
 class Panel:
-    """A cloth in a sheet of pictures."""
+    """One picture in a sheet of pictures."""
 
     sample: tuple | None  # (run, frame); None: "no run"
     camera: object
-    title: str = ""  # above it
-    text: str = ""  # in its lower corner
+    title: str = ""  # above the panel
+    text: str = ""  # in a lower corner
     whole: bool = True  # the camera shows the whole cloth
-    corner: dict = field(default_factory=lambda: LEFT)  # of the text
+    corner: dict = field(default_factory=lambda: LEFT)  # for the text
 
 
 def sheet(rows, out, name, inches=2.45, width=360, **bar):
-    """Draws rows of panels with one colour bar, and returns the picture's name. `rows`: label → Panels;
-    `inches`: the width of a panel; `bar`: how the colour bar is drawn."""
+    """Draws rows of panels with one colour bar, and returns the name of the picture. `rows`: label → Panels;
+    `inches`: width of a panel; `bar`: arguments for the colour bar."""
     columns = max(map(len, rows.values()))
     shapes = [panel.camera.aspect or 1 for panels in rows.values() for panel in panels if panel.camera]
     height = inches / max(np.median(shapes or [1]), 0.1) + 0.3
@@ -78,8 +78,7 @@ def sheet(rows, out, name, inches=2.45, width=360, **bar):
 
 def draw_cloth(axes, sample, camera, width=420, text="", whole=True, text_corner=LEFT):
     """Draws a cloth, its pins and the time in a panel. `sample`: (run, frame), or None without a run.
-
-    `whole`: the camera shows the whole cloth, so that the panel states the share outside the frame.
+    `whole`: if vertices lie outside the picture, the panel states their share.
     """
     axes.set_axis_off()
     if sample is None:
@@ -112,7 +111,7 @@ def stamp(axes, run, frame, corner=LEFT):
 
 
 def free_corner(places, shape):
-    """The upper corner of a picture of this shape in which fewer of the places (n, 2) lie, in pixels."""
+    """The upper corner of a picture with fewer points in it. `places` (n, 2): the points, in pixels."""
     height, width = shape
     x, y = places.T
     high = (y > 0) & (y < 0.13 * height)
@@ -121,7 +120,7 @@ def free_corner(places, shape):
 
 
 def time_text(run, frame):
-    """'t = 4.0 s' of a frame, or 'at rest, t = 4.0 s' if the cloth is no faster than REST."""
+    """The time of a frame: 't = 4.0 s', or 'at rest, t = 4.0 s' if the cloth is no faster than REST."""
     time = run.metrics["time"][frame]
     text = f"t = {time:.1f} s" if abs(time - round(time, 1)) < 1e-6 else f"t = {time:.2f} s"
     if frame == 0:
@@ -138,7 +137,7 @@ def caption(axes, text, corner=LEFT):
 
 
 def share_outside(positions, camera, shape):
-    """Share of the vertices outside the picture's frame."""
+    """Share of the vertices that lie outside the picture."""
     xy, nearness = camera.project(positions, shape)
     inside = (nearness > 0) & (xy >= 0).all(axis=1) & (xy[:, 0] <= shape[1]) & (xy[:, 1] <= shape[0])
     return 1 - inside.mean()

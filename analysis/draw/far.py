@@ -1,16 +1,16 @@
-"""Runs far from the origin of their coordinates, as surveys have them.
+"""Cloth that is far from the origin of its coordinates, as in geographic data.
 
-Pages hold positions as single precision, which rounds by up to 2⁻²⁴ of the distance from the origin. If that
-is more than TOLERATED of an edge, pages hold positions relative to a round point near the cloth, chosen as in
-lib/bendlab/mesh/single_precision.cpp.
+Pages store positions in single precision, which rounds by up to 2⁻²⁴ of the distance from the origin. If this
+error can exceed TOLERATED edge lengths, pages store positions relative to a point near the cloth. Like
+lib/bendlab/mesh/single_precision.cpp, origin_of() takes a point with round coordinates.
 """
 import numpy as np
 
-TOLERATED = 1e-4  # edges
+TOLERATED = 1e-4  # edge lengths
 
 
 def origin_of(rest, triangles):
-    """(3) a round point near the middle of a mesh; zeros if single precision has enough digits without it."""
+    """(3) a point with round coordinates near the middle of a mesh; zeros if single precision is enough."""
     sides = rest[triangles] - rest[np.roll(triangles, -1, axis=1)]
     edge = np.linalg.norm(sides, axis=2).mean()
     if not np.abs(rest).max() * 2**-24 > TOLERATED * edge:

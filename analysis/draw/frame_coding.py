@@ -1,15 +1,15 @@
-"""Moving vertices as few bytes: integers are predicted from integers already decoded, and the remainders are
-deflated.
+"""Compresses moving vertices: each integer is predicted from integers that are decoded earlier, and the error
+of the prediction (the remainder) is deflated.
 
-Positions are integers, multiples of a step. Each is predicted from the motion of the same vertex in the frame
-before, and from six vertices near it that come before it, its parents:
+Positions are integer multiples of a step. The motion D of a vertex v is predicted from its motion in the last
+frame, and from the motions of six near vertices with smaller numbers, the parents p1 … p6 of v:
 
     D(t, v) = x(t, v) - x(t-1, v) ≈ (Σ w_k f_k + ½ · 2¹²) >> 12
     f = D(t-1, v), D(t, p1) … D(t, p6), D(t-1, p1) … D(t-1, p6)
 
-The weights w are fitted to the run, one set for each group of vertices whose parents lie alike. The
-remainders are sorted by the size of remainders nearby, which predicts their own size, and deflated: numbers
-of one size lie together, so that each size gets its own code. `viewer/src/player/decode.js` decodes them.
+The weights w are fitted to the run. Vertices whose parents have the same arrangement form a group with its
+own weights. Remainders are sorted into classes by the size of remainders nearby, because neighbours have
+remainders of similar size, and equal sizes deflate better. `viewer/src/player/decode.js` decodes the frames.
 Shapes: F frames, V vertices, T triangles.
 """
 import zlib
@@ -17,32 +17,31 @@ from dataclasses import dataclass
 
 import numpy as np
 
-ONE = 1 << 12  # the weights' unit
+ONE = 1 << 12  # weights are integers in units of 1 / ONE
 PARENTS = 6
 GROUPS = 16
-CLASSES = 16  # by the logarithm of the remainders nearby
-LEVELS = 65535  # steps of the largest side of a run's box: 16 bits
-# Predictors for slow, even and swinging motion from p1 to p3. A further predictor is fitted to the run.
+CLASSES = 16  # of remainders, by the logarithm of the remainders nearby
+LEVELS = 65535  # steps along the largest side of a run's bounding box: 16 bits
+# Weights of v and p1 … p3 for slow, uniform and swinging motion. encode() also tries weights that it fits.
 FIXED = ((0, (1, 0, 0), (0, 0, 0)), (0, (.5, .5, 0), (0, 0, 0)), (1, (.5, .5, 0), (-.5, -.5, 0)))
 SAMPLE = 60_000  # vertices · frames from which a predictor is chosen
 
 
 @dataclass
 class Coded:
-    """The bytes of all frames but the first, and what is needed to decode them."""
+    """The bytes of all frames after the first, and the numbers that the decoder needs."""
 
-    data: bytes  # low bytes of all classes, then their high bytes; deflated
+    data: bytes  # the low bytes of all classes, then the high bytes of all classes; deflated
     weights: list  # (GROUPS, 1 + 2 · PARENTS) in units of 1 / ONE; [] for a group without vertices
     counts: list  # (CLASSES) numbers in each class
 
 
 def lineage(triangles, vertices):
-    """(V, PARENTS) vertices with smaller numbers near each vertex, and (V) the group of each vertex: in a
-    group these vertices lie alike.
+    """(V, PARENTS) the parents of each vertex, and (V) its group.
 
-    p1, p2, p3 are neighbours, the largest numbers first; p4 is across the edge p1 p2; p5 and p6 are behind p1
-    and p2. If a vertex lacks one of these, another of its parents takes the place. Vertex 0 is its own
-    parent.
+    p1, p2, p3 are the neighbours with the largest numbers that are smaller than the number of the vertex. p4
+    lies across the edge p1 p2; p5 and p6 lie behind p1 and p2. If one of these vertices does not exist,
+    another parent is used twice. Vertex 0 is its own parent.
     """
     near = [set() for _ in range(vertices)]
     for a, b, c in triangles.tolist():
@@ -65,8 +64,8 @@ def lineage(triangles, vertices):
 
 
 def encode(frames, parents, groups):
-    """Coded of the frames after the first, (F, V, 3) integers from 0 to LEVELS with the first."""
-    motion = np.diff(frames.astype(np.int32), axis=0, prepend=frames[:1])  # frame 0 counts as at rest
+    """Encodes all frames after the first. `frames`: (F, V, 3) integers from 0 to LEVELS, with the first."""
+    motion = np.diff(frames.astype(np.int32), axis=0, prepend=frames[:1])  # frame 0 has no motion
     remainder, weights = np.empty_like(motion), [[]] * GROUPS
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)
@@ -81,23 +80,23 @@ def encode(frames, parents, groups):
     return Coded(deflated(planes), weights, np.bincount(classes, minlength=CLASSES).tolist())
 
 
-_level = 9  # of compression; 1 takes a third of the time, and makes a page larger by a quarter
+_level = 9  # of compression; level 1 takes a third of the time, but makes a page a quarter larger
 
 
 def compress_quickly():
-    """Makes this process compress quickly, for a page that stays on this machine and is soon made again."""
+    """Lets this process compress less but faster, for a page that is soon written again."""
     global _level
     _level = 1
 
 
 def deflated(data):
-    """Bytes as DecompressionStream("deflate") reads them."""
+    """Deflated bytes, which the browser's DecompressionStream("deflate") can read."""
     packer = zlib.compressobj(_level, zlib.DEFLATED, 15, 9)
     return packer.compress(data) + packer.flush()
 
 
 def _features(motion, parents, members):
-    """(1 + 2 · PARENTS) arrays (F, n, 3): the f of the vertices `members`."""
+    """The terms f of the prediction for the n vertices `members`: 1 + 2 · PARENTS arrays (F, n, 3)."""
     before = np.concatenate([np.zeros_like(motion[:1]), motion[:-1]])
     near = parents[members].T
     now = [motion[:, p] for p in near]
@@ -115,13 +114,13 @@ def _predicted(features, weights):
 
 
 def _wrapped(numbers):
-    """Numbers modulo 2¹⁶, from -2¹⁵ to 2¹⁵ - 1."""
+    """The numbers modulo 2¹⁶, in the range from -2¹⁵ to 2¹⁵ - 1."""
     return ((numbers + 32768) & 65535) - 32768
 
 
 def _classes(size, parents):
-    """(F, V, 3) class of each remainder, from the sizes of remainders that are decoded before it: those of
-    two parents, its own in the frame before, and its coordinate before."""
+    """(F, V, 3) class of each remainder, from the sizes of remainders that are decoded earlier: of two
+    parents, of the same vertex in the last frame, and of the last coordinate."""
     before = np.concatenate([np.zeros_like(size[:1]), size[:-1]])
     near = size[:, parents[:, 0]] + size[:, parents[:, 1]] + 2 * before
     near[:, 0] = before[:, 0]
@@ -130,7 +129,7 @@ def _classes(size, parents):
 
 
 def _best(motion, parents, members):
-    """(1 + 2 · PARENTS) the weights with the smallest remainders, in units of 1 / ONE, judged by a sample."""
+    """(1 + 2 · PARENTS) the weights, in units of 1 / ONE, with the smallest remainders in a sample."""
     rest = (0,) * (PARENTS - 3)
     candidates = [np.rint(np.array((own, *now, *rest, *then, *rest)) * ONE).astype(int)
                   for own, now, then in FIXED]
@@ -146,7 +145,7 @@ def _best(motion, parents, members):
 
 
 def _fitted(features, wanted):
-    """Weights with a small sum of absolute remainders: least squares, reweighted."""
+    """Weights that make the sum of absolute remainders small, by iteratively reweighted least squares."""
     matrix, target = np.stack(features, axis=1).astype(float), wanted.astype(float)
     weight = np.ones(len(target))
     for _ in range(5):

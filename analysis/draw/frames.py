@@ -1,11 +1,11 @@
-"""What the player of a page needs: the frames of runs as few bytes, and the colours it draws with.
+"""What the player of a page needs: the frames of runs, compressed, and the colours of the cloth.
 
     shown = playback(runs)
     shown.data      {"colours": …, "quantities": […], "runs": [{"id", "label", "name", "status", "frames"}]}
-    shown.scripts   HTML: the frames of every run that has some
+    shown.scripts   HTML: the frames of every run that recorded frames
     shown.players   HTML: a player of these runs (player_html)
 
-analysis/viewer/README.md has the shape of it all. Lengths in m, times in s.
+analysis/viewer/README.md describes this data. Lengths in m, times in s.
 """
 import base64
 import html
@@ -27,27 +27,29 @@ from draw.far import origin_of
 from draw.frame_coding import LEVELS, PARENTS, deflated, encode, lineage
 from bendlab.results.load import Run
 
-LIMIT = 60e6  # bytes of all frames of a page in the file; if there are more, frames are left out
-# vertices times frames of the further runs that a page offers; packing these takes about 6 s
+LIMIT = 60e6  # most bytes of all frames in a page; to stay below this limit, frames are left out
+# most vertices times frames of the runs that a page offers in addition; packing takes about 6 s
 MOST_OFFERED = 1_000_000
 MOST_SPRINGS = 400_000  # a run with more springs shows none in the page
-FLOWN_APART = 50  # sizes; a frame with a larger box would leave too few digits for the other frames
+FLOWN_APART = 50  # sizes at rest; a frame with a larger box would leave too few digits for the other frames
 
 
 @dataclass
 class Playback:
     """Runs ready for a page."""
 
-    data: dict  # to be in the page's data
+    data: dict  # a part of the page's data
     scripts: str  # HTML
     players: str  # HTML
 
 
 def playback(runs, limit=LIMIT, labels=None, most=None, offered=()):
-    """Playback of runs, each packed once. `labels`: id → name in the page, by default the settings that
-    differ. If all frames exceed `limit` bytes, or a run has more than `most` frames, frames are left out
-    evenly and a note says so. `offered`: runs that a reader may choose instead, as many as there is room
-    for."""
+    """Playback of runs. `labels`: id → name in the page, by default the settings in which runs differ.
+
+    If all frames exceed `limit` bytes, or a run has more than `most` frames, frames are left out at equal
+    intervals, and a note says this. `offered`: more runs that a reader can choose. Runs are added in order
+    until MOST_OFFERED or `limit` is reached.
+    """
     labels = labels or labels_of(runs)
     every = {run.id: math.ceil(run.frames / most) if most and run.frames else 1 for run in runs}
     packed = {run.id: pack(run, every[run.id]) for run in runs}
@@ -74,35 +76,34 @@ def playback(runs, limit=LIMIT, labels=None, most=None, offered=()):
 
 
 def player_html(runs):
-    """A player of these runs; the page needs their data and scripts too."""
+    """HTML of a player of these runs. The page also needs Playback.data and Playback.scripts."""
     return place_html(run.id for run in runs)
 
 
 def place_html(ids):
-    """The element of a player of the runs with these ids."""
+    """The HTML element of a player of the runs with these ids."""
     names = html.escape(" ".join(ids), quote=True)
     return (f"<div class='player' data-runs='{names}'><p class='player-fallback'>The cloth moves here in a "
             "browser with JavaScript and WebGL 2.</p></div>")
 
 
 def script(packed):
-    """The frames of a run, for the page."""
     return (f"<script type='application/octet-stream;base64' id='{packed.head['dom']}'>"
             f"{base64.b64encode(packed.data).decode()}</script>")
 
 
 def remedy(run):
-    """What to do about a run without frames."""
+    """What a reader can do to see a run without frames."""
     if run.status == "missing":
         return "This run is not computed yet."
     config = f"configs/{run.experiment}.json" if run.experiment else "CONFIG"
     points = " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in run.point.items())
-    return (f"This run recorded no frames. To see it move: ./bendlab run {config} {points} "
+    return (f"This run recorded no frames. To record frames: ./bendlab run {config} {points} "
             "--set /output/frames_per_second=30 --force").replace("  ", " ")
 
 
 def labels_of(runs):
-    """Run id → its config if there are several, its model, and the other settings in which runs differ."""
+    """{run id: label}. A label has the config (if there are several), the model, and settings that differ."""
     pointers = {pointer for run in runs for pointer in run.point} - {"/bending/model"}
     differs = lambda value: len({json.dumps(value(run), sort_keys=True) for run in runs}) > 1
     swept = [pointer for pointer in sorted(pointers) if differs(lambda run: run.get(pointer))]
@@ -133,7 +134,7 @@ def _hex(colours):
 
 
 def colours():
-    """Colour maps as 256 hexadecimal colours, and the light, as figures have them."""
+    """The colour maps of figures, as 256 hexadecimal colours each, and the light of figures."""
     import matplotlib
     shares = np.linspace(0, 1, 256)
     maps = {"stretch": cloth.STRETCH, "sequence": matplotlib.colormaps["viridis"],
@@ -143,24 +144,24 @@ def colours():
             "rings": looks.SEQUENCE}
 
 
-# The quantities that can colour the cloth. `scale`: log or linear; `range`: the range at first, null: that of
-# the data.
+# The quantities that can colour the cloth. `scale`: log or linear; `range`: the range that the player shows
+# first, None for the range of the data.
 QUANTITIES = [
     {"key": "stretch", "name": "Stretch", "symbol": "σ₁ − 1", "unit": "1", "map": "stretch", "scale": "log",
      "range": [cloth.STRETCH_NORM.vmin, cloth.STRETCH_NORM.vmax],
      "meaning": "Largest principal stretch of a triangle, minus 1: 0 unstretched, 1 twice as long"},
     {"key": "strain", "name": "Strain", "symbol": "max |σ − 1|", "unit": "1", "map": "stretch",
      "scale": "log", "range": [0.01, 10],
-     "meaning": "Larger of |σ₁ − 1| and |σ₂ − 1|: stretched or compressed"},
+     "meaning": "Larger of |σ₁ − 1| and |σ₂ − 1|, from the principal stretches σ₁ and σ₂ of a triangle"},
     {"key": "quality", "name": "Triangle quality", "symbol": "shape", "unit": "1", "map": "quality",
      "scale": "linear", "range": [0, 1],
-     "meaning": "4√3 area / (a² + b² + c²): 1 equilateral, 0 without area"},
+     "meaning": "4√3 area / (a² + b² + c²) with edges a, b, c: 1 if equilateral, 0 without area"},
     {"key": "bending", "name": "Bending energy", "symbol": "½ κ²", "unit": "1/m²", "map": "sequence",
      "scale": "log", "range": None,
-     "meaning": "Energy of the hinges of discrete_shells per area at rest, for a flexural rigidity of 1 N m"},
+     "meaning": "Energy per area at rest of hinges (discrete_shells) with a flexural rigidity of 1 N m"},
     {"key": "distance", "name": "Distance", "symbol": "|Δx|", "unit": "m", "map": "sequence",
      "scale": "linear", "range": None,
-     "meaning": "How far a vertex is from the same point of the other run's cloth"},
+     "meaning": "Distance of a vertex from the same point of the cloth in the other run"},
     {"key": "none", "name": "Plain", "symbol": "", "unit": "", "map": None, "scale": "linear", "range": None,
      "meaning": "The shape alone"},
 ]
@@ -170,14 +171,14 @@ QUANTITIES = [
 
 @dataclass
 class Packed:
-    """The frames of one run: what JSON says of them, and their bytes."""
+    """The frames of one run: a description for JSON, and the bytes."""
 
     head: dict
-    data: bytes  # the frames after the first are at the end: the page can draw before it has read them
+    data: bytes  # the first frame comes first, so that the page can draw it before the others are read
 
 
 class _Sections:
-    """Arrays one behind the other, each deflated by itself."""
+    """Arrays in one block of bytes. Each array is deflated separately."""
 
     def __init__(self):
         self.data, self.places = b"", {}
@@ -187,26 +188,26 @@ class _Sections:
         self.data += data
 
     def integers(self, name, array, columns):
-        """Differences to the row before, four byte planes."""
+        """Adds the differences between successive rows, ordered by _planes()."""
         rows = np.asarray(array, np.int64).reshape(-1, columns)
         steps = np.diff(rows, axis=0, prepend=0)
         folded = ((steps << 1) ^ (steps >> 63)).astype("<u4")
         self.add(name, deflated(_planes(folded)), kind="integers", rows=len(rows), columns=columns)
 
     def floats(self, name, array, columns):
-        """32 bits, four byte planes."""
+        """Adds 32-bit numbers, ordered by _planes()."""
         rows = np.asarray(array, "<f4").reshape(-1, columns)
         self.add(name, deflated(_planes(rows)), kind="floats", rows=len(rows), columns=columns)
 
 
 def _planes(array):
-    """Bytes of an array of 4-byte numbers: column by column, the first byte of all rows, then the second …"""
+    """The bytes of 4-byte numbers: for each column the first byte of all rows, then the second byte …"""
     return np.ascontiguousarray(array.T).view(np.uint8).reshape(array.shape[1], -1, 4).transpose(
         0, 2, 1).tobytes()
 
 
 def pack(run: Run, every=1):
-    """Packed of every `every`-th frame and the last frame; None if the run has no frames or is missing."""
+    """Packs each `every`-th frame and the last frame. None if the run has no frames or is missing."""
     chosen, frames, notes = choose(run, every)
     if not len(chosen):
         return None
@@ -243,18 +244,18 @@ def pack(run: Run, every=1):
 
 @lru_cache(maxsize=2)
 def _lineage(triangles, vertices):
-    """lineage() of triangles given as bytes; cached, because runs of a sweep share a mesh."""
+    """Calls lineage(). Cached, because runs of a sweep share a mesh; `triangles`: the bytes of an array."""
     return lineage(np.frombuffer(triangles, int).reshape(-1, 3), vertices)
 
 
 def _lattice(frames):
-    """(3) origin, and the step of the 16-bit numbers: LEVELS steps are the largest side of the box."""
+    """(3) origin and step of the 16-bit positions. LEVELS steps are the largest side of the bounding box."""
     low, high = frames.min(axis=(0, 1)), frames.max(axis=(0, 1))
     return low, float(max(np.max(high - low), 1e-9) / LEVELS)
 
 
 def choose(run, every=1):
-    """Indices of the shown frames, their positions (F, V, 3), and notes on frames that are left out."""
+    """Returns indices of the frames to show, their positions (F, V, 3), and notes on frames left out."""
     count = 0 if run.status == "missing" else run.frames
     if not count:
         return np.array([], int), np.empty((0, 0, 3)), []
@@ -265,8 +266,8 @@ def choose(run, every=1):
     cloth = np.array([_is_cloth(positions, size) for positions in frames])
     if not cloth.all():
         notes.append(
-            f"{len(wanted) - cloth.sum()} of {len(wanted)} frames are left out: in them the cloth is not "
-            f"finite or larger than {FLOWN_APART} times its rest size.")
+            f"{len(wanted) - cloth.sum()} of {len(wanted)} frames are left out, because the cloth is not "
+            f"finite or is larger than {FLOWN_APART} times its size at rest.")
     if every > 1:
         notes.append(f"{cloth.sum()} of {count} frames are shown, one of {every}, so that the page "
                      "stays small.")
@@ -278,7 +279,7 @@ def _is_cloth(positions, size):
 
 
 def _add_springs(sections, run):
-    """The page's data on a run's bending constraints: their sections by kind, or why there are none."""
+    """The page's data about a run's springs: section names by kind, or why the page has no springs."""
     kinds, missing = {}, None
     with h5py.File(run.file, "r") as file:
         for kind, count in Facts(file).counts.items():
@@ -286,8 +287,8 @@ def _add_springs(sections, run):
             if kind == "strain" or not count:
                 continue
             if "vertices" not in group:
-                missing = ("The run did not record its springs. Run it again with "
-                           "--set /output/constraints=true --force to see them.")
+                missing = ("The run did not record its springs. To see springs, compute the run again with "
+                           "--set /output/constraints=true --force.")
             elif count > MOST_SPRINGS:
                 missing = f"{count:,} springs are too many for a page.".replace(",", " ")
             else:
@@ -300,8 +301,8 @@ def _add_springs(sections, run):
 
 
 def _add_obstacles(sections, run, notes, home):
-    """[{section, velocity}] of every obstacle except level planes: its surface at t = 0, relative to `home`.
-    A note says if the run's file lacks the obstacles."""
+    """[{section, velocity}] of every obstacle except horizontal planes. The section has the surface at t = 0,
+    relative to the point `home`. If the run's file lacks the obstacles, adds a note."""
     parts = []
     for points, triangles, velocity in obstacles.drawn(run).values():
         section = f"obstacle-{len(parts)}"

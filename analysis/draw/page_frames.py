@@ -1,5 +1,5 @@
-"""Frames of runs in the project's own pages. Only index.html holds them: a new layout takes them from the old
-index.html."""
+"""Frames of runs in the project's own pages. Frames are stored only in index.html, so a new layout copies the
+frames from the old index.html."""
 import json
 import re
 from dataclasses import dataclass, field
@@ -12,14 +12,14 @@ DATA = re.compile(r"id='bendlab-data'>(.*?)</script>", re.DOTALL)
 
 @dataclass
 class PageFrames:
-    """The frames of runs by their id in the page."""
+    """The frames of the runs in a page, by the id of a run."""
 
-    heads: dict = field(default_factory=dict)  # id → their entry in the page's data
+    heads: dict = field(default_factory=dict)  # id → description of the frames in the page's data
     scripts: dict = field(default_factory=dict)  # id → HTML
 
     @property
     def data(self):
-        """What a player needs besides the runs; nothing without frames."""
+        """What a player needs in addition to the runs. Empty without frames."""
         return {"colours": frames.colours(), "quantities": frames.QUANTITIES} if self.heads else {}
 
     @property
@@ -28,7 +28,7 @@ class PageFrames:
 
 
 def of_runs(runs, most):
-    """The frames of runs (id → run), at most about `most` of each."""
+    """The frames of `runs` (id → run): at most about `most` frames per run."""
     page_frames = PageFrames()
     for name, run in runs.items():
         packed = frames.pack(run, every=max(1, -(-(run.frames - 1) // (most - 1)))) if run.frames else None
@@ -38,7 +38,7 @@ def of_runs(runs, most):
 
 
 def taken_from(file):
-    """The frames that a page holds; none without the page."""
+    """The frames in a page. Empty if the page does not exist."""
     if not file.exists():
         return PageFrames()
     text = file.read_text(encoding="utf-8")

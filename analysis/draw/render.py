@@ -1,8 +1,8 @@
-"""Draws cloth and grey obstacles as an RGB image: a lit, two-sided surface with shadows.
+"""Draws cloth and grey obstacles as an RGB image with shadows. Both sides of a surface are lit.
 
-A z-buffer in numpy. Triangles are cut into pixel rows, and rows into pixels; the nearest triangle owns a
-pixel. Light, shadow and colour are then computed once per visible pixel. Neighbouring triangles leave no seam
-between them.
+This is a z-buffer in numpy. Triangles are cut into pixel rows, and rows into pixels. The nearest triangle is
+the owner of a pixel. Light, shadow and colour are then computed once per visible pixel. There are no gaps
+between neighbouring triangles.
 """
 from dataclasses import dataclass, replace
 
@@ -10,14 +10,14 @@ import numpy as np
 
 LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  # towards the light
 SUPERSAMPLE = 2
-CHUNK = 4_000_000  # pixels rasterised at once; limits the memory
+CHUNK = 4_000_000  # pixels that are rasterised at once, to limit the memory
 OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
 BACK = np.array([0.50, 0.58, 0.78])  # linear; the colour of a back face is multiplied by this blue
 
 
 @dataclass(frozen=True)
 class Camera:
-    """A perspective view. The image covers `extent` = (left, right, bottom, top): tangents of angles to the
+    """A perspective view. `extent` = (left, right, bottom, top) of the image: tangents of the angles to the
     view axis."""
 
     eye: np.ndarray
@@ -32,8 +32,8 @@ class Camera:
         return (right - left) / (top - bottom)
 
     def project(self, points, shape):
-        """(n, 3) points → (n, 2) pixel coordinates (x right, y down) and (n) nearness 1/depth; ≤ 0:
-        behind."""
+        """(n, 3) points → (n, 2) pixel coordinates (x right, y down) and (n) nearness 1/depth. Points behind
+        the camera have a nearness ≤ 0."""
         view = (points - self.eye) @ self.axes.T
         depth = -view[:, 2]
         nearness = np.where(depth > 1e-3 * self.size, 1 / np.where(depth == 0, 1, depth), -1.0)
@@ -45,7 +45,7 @@ class Camera:
         return np.stack([x, y], axis=1), nearness
 
     def rays(self, shape):
-        """(h, w, 3) direction through the centre of every pixel."""
+        """(h, w, 3) direction from the eye through the centre of every pixel."""
         left, right, bottom, top = self.extent
         x = left + (np.arange(shape[1]) + 0.5) / shape[1] * (right - left)
         y = top - (np.arange(shape[0]) + 0.5) / shape[0] * (top - bottom)
@@ -54,12 +54,13 @@ class Camera:
 
 
 def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoom=None, reach=1.02):
-    """One camera for all cloths of a figure, (V, 3) each, pinned at `pin`.
+    """One camera for all cloths of a figure. `cloths`: (V, 3) positions of each cloth; `pin`: the position of
+    their common pin.
 
-    It frames all points within `reach` sizes of the pin, by default those that an unstretched sheet reaches.
-    A sheet that has flown apart leaves the frame and does not make the others small. `zoom` frames what is
-    below the pin instead, to `zoom` sizes on either side of it. `aspect` is width over height of the picture;
-    None takes that of the cloth, from 0.5 to 2.
+    The picture shows all points within `reach` sizes of the pin. By default an unstretched sheet just fits,
+    and a sheet that has flown apart does not make the other sheets small. With `zoom` the picture shows only
+    the region below the pin, up to `zoom` sizes to each side. `aspect` is width over height of the picture;
+    None takes the aspect of the cloth, limited to 0.5 to 2.
     """
     axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
@@ -70,19 +71,18 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
                                              for sz in (0.2 - 2 / aspect, 0.2)])
-    # if the cloth has left the view, frames the pin alone
     return _framing(near, axes, size, floor, aspect, least=0.02)
 
 
 def scaled(camera, half):
-    """The camera with the same middle; `half` is half the height of its picture (tangent of an angle)."""
+    """The camera with another height of the picture. `half`: half of this height, as tangent of an angle."""
     left, right, bottom, top = camera.extent
     middle, level, across = (left + right) / 2, (bottom + top) / 2, half * camera.aspect
     return replace(camera, extent=(middle - across, middle + across, level - half, level + half))
 
 
 def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):
-    """A camera that frames all finite points of one cloth; the frame is at least `least` wide."""
+    """A camera whose picture shows all finite points of one cloth, and is at least `least` m wide."""
     points = points[np.isfinite(points).all(axis=1)]
     size = max(np.linalg.norm(np.ptp(points, axis=0)), least)
     return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect,
@@ -99,8 +99,8 @@ def _view_axes(azimuth, elevation):
 
 
 def _framing(points, axes, size, floor, aspect, least=0.0):
-    """The camera along `axes` that frames these points with a small margin. `least`: smallest half width
-    (sizes)."""
+    """The camera along `axes` whose picture shows these points with a small margin. `least`: smallest half
+    width in sizes."""
     low, high = points.min(axis=0), points.max(axis=0)
     eye = (low + high) / 2 + 3.2 * size * axes[2]
     view = (points - eye) @ axes.T
@@ -116,7 +116,8 @@ def _framing(points, axes, size, floor, aspect, least=0.0):
 
 
 def rasterise(xy, nearness, triangles, shape):
-    """The triangle that each pixel sees, (h, w) int, -1 for none; its nearness, (h, w), 0 for none.
+    """For each pixel, (h, w): the index of the nearest triangle, or -1; and the nearness of this triangle, or
+    0.
 
     `xy` (V, 2) in pixels. `nearness` (V) is linear across the screen; larger is nearer. Triangles with a
     vertex of nearness ≤ 0 are left out.
@@ -131,7 +132,7 @@ def rasterise(xy, nearness, triangles, shape):
     ids = np.flatnonzero(seen)
     x, y, z = x[ids], y[ids], nearness[triangles[ids]]
 
-    # Nearness is a plane over the screen: z = z0 + gx (x - x0) + gy (y - y0).
+    # On a triangle the nearness is linear: z = z0 + gx (x - x0) + gy (y - y0).
     ax, ay, az = x[:, 1] - x[:, 0], y[:, 1] - y[:, 0], z[:, 1] - z[:, 0]
     bx, by, bz = x[:, 2] - x[:, 0], y[:, 2] - y[:, 0], z[:, 2] - z[:, 0]
     area = ax * by - bx * ay
@@ -159,7 +160,7 @@ def rasterise(xy, nearness, triangles, shape):
 
 
 def _expand(first, count):
-    """For every i the numbers first[i] … first[i] + count[i] - 1: (i, number), flat."""
+    """For every i, the numbers first[i] … first[i] + count[i] - 1. Returns (all i, all numbers)."""
     count = np.maximum(count, 0)
     index = np.repeat(np.arange(len(count)), count)
     offset = np.arange(len(index)) - np.repeat(np.cumsum(count) - count, count)
@@ -167,7 +168,7 @@ def _expand(first, count):
 
 
 def _row_interval(x, y, centre):
-    """x where the horizontal line at `centre` (n) enters and leaves triangles x, y (n, 3)."""
+    """The x (n) at which horizontal lines at heights `centre` (n) enter and leave triangles x, y (n, 3)."""
     left, right = np.full(len(centre), np.inf), np.full(len(centre), -np.inf)
     for a, b in ((0, 1), (1, 2), (2, 0)):
         rise = y[:, b] - y[:, a]
@@ -181,11 +182,11 @@ def _row_interval(x, y, centre):
 
 
 def _keep_nearest(best, owner, pixel, depth, ids):
-    """best[pixel] = max(best[pixel], depth), and the same for its owner; a pixel may occur many times."""
+    """Where depth > best[pixel], stores the depth and the owner's id. `pixel` may repeat pixels."""
     while len(pixel):
         better = depth > best[pixel]
         pixel, depth, ids = pixel[better], depth[better], ids[better]
-        best[pixel] = depth  # of several candidates the last is stored; the others try again
+        best[pixel] = depth  # a repeated pixel gets its last depth here; the loop compares again
         owner[pixel] = ids
 
 
@@ -199,7 +200,7 @@ def vertex_normals(positions, triangles):
 
 
 class _ShadowMap:
-    """Nearness of the surface as seen from far away along LIGHT."""
+    """How near the surface is to the light, for each pixel of an image along LIGHT."""
 
     def __init__(self, positions, triangles, centre, reach, pixels=900):
         self.right = np.cross([0.0, 1.0, 0.0], LIGHT)
@@ -215,7 +216,7 @@ class _ShadowMap:
         return (xy + 1) / 2 * self.pixels, 10 + relative @ LIGHT / self.reach
 
     def light(self, points, bias, radius, taps):
-        """(n) share of the light that reaches the points, over taps² samples within `radius` pixels."""
+        """(n) share of the light that reaches each point: mean of taps² samples within `radius` pixels."""
         xy, nearness = self._project(points)
         total = np.zeros(len(points))
         for dx in np.linspace(-radius, radius, taps):
@@ -242,7 +243,7 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
 
     middle = camera.eye - 3.2 * camera.size * camera.axes[2]
     shadows = _ShadowMap(positions, triangles, middle, 1.3 * camera.size)
-    # smooth, needs no supersampling
+    # The background is smooth and needs no supersampling.
     backdrop = _background(camera, (shape[0] // SUPERSAMPLE, width), shadows)
     image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
     seen = owner >= 0
@@ -254,11 +255,11 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
 
 
 def _occlusion(nearest, camera):
-    """(h, w) how much of a pixel's surroundings stands before it, from 0 to 1: folds are dark inside.
+    """(h, w) how much of the surroundings of a pixel is in front of it, from 0 to 1. Makes folds dark inside.
 
-    Two pixels on opposite sides, up to a thirtieth of the picture away, count by how far their middle is in
-    front, so that a plane is bright however it lies. A much nearer or farther pixel is another part of the
-    scene, and does not count.
+    Takes pairs of pixels on opposite sides, up to a thirtieth of the picture away. A pair contributes by how
+    far its mean depth is in front of the pixel. On a plane this is zero, however the plane is inclined. Pairs
+    with much smaller or larger depth belong to another part of the scene, and are ignored.
     """
     depth = np.full(nearest.shape, 1e9 * camera.size)
     depth[nearest > 0] = 1 / nearest[nearest > 0]
@@ -275,7 +276,7 @@ def _occlusion(nearest, camera):
 
 
 def _background(camera, shape, shadows):
-    """A pale floor with the cloth's shadow that fades into the backdrop; linear RGB."""
+    """(h, w, 3) linear RGB of a pale floor, with the shadow of the cloth, and of the backdrop behind it."""
     rays = camera.rays(shape)
     height = np.linspace(0, 1, shape[0])[:, None, None]
     backdrop = (1 - height) * np.array([0.955, 0.965, 0.975]) + height * np.array([0.86, 0.875, 0.89])
@@ -290,7 +291,7 @@ def _background(camera, shape, shadows):
 
 
 def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth):
-    """(n, 3) linear colours of the pixels that see a triangle. The first `cloth` triangles are cloth."""
+    """(n, 3) linear RGB of the n pixels with an owner. The first `cloth` triangles are cloth."""
     rows, columns = np.nonzero(owner >= 0)
     t = owner[rows, columns]
     corners = triangles[t]
@@ -303,7 +304,7 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     towards_eye = camera.eye - point
     towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
     a, b, c = (positions[corners[:, i]] for i in range(3))
-    # Decides which side is seen; a smooth normal may point away near an outline
+    # The flat normal decides which side is visible; the smooth normal may point away near an outline.
     face = np.cross(b - a, c - a)
     back = (face * towards_eye).sum(1) < 0
     normal *= np.where(back, -1.0, 1.0)[:, None]
@@ -326,7 +327,7 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
 
 
 def _barycentric(corners, point):
-    """(n, 3) barycentric coordinates of points (n, 2) in triangles (n, 3, 2) of the screen."""
+    """(n, 3) barycentric coordinates of points (n, 2) in triangles (n, 3, 2) on the screen."""
     a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
     cross = lambda u, v: u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     area = cross(b - a, c - a)
@@ -337,9 +338,9 @@ def _barycentric(corners, point):
 
 
 def _mesh_lines(xy, triangles, t, flat):
-    """(n) how dark a mesh edge makes each pixel. Lines fade out where triangles are a few pixels large."""
+    """(n) how much the lines of the mesh darken each pixel. There are no lines where triangles are tiny."""
     corners = xy[triangles]
-    # Opposite to corner i
+    # Lengths of the edges opposite to the corners.
     edges = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, 1, axis=1), axis=2)
     a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])

@@ -1,4 +1,4 @@
-"""The look of figures that matplotlib draws: fonts, axes, labels of curves, files."""
+"""The style of figures that matplotlib draws: fonts, colours, axes and files."""
 from pathlib import Path
 
 import matplotlib
@@ -14,8 +14,8 @@ from tables.looks import INK
 
 GREY, GRID = "#6d747c", "#dfe3e7"
 
-LARGE = 290_000  # bytes; a larger picture gets a palette
-SHADES = 3  # of 255; steps between shades, which are invisible and make a file a third smaller
+LARGE = 290_000  # bytes; a larger picture gets 256 colours
+SHADES = 3  # steps of 1/255 between shades; this step is invisible, and makes a file a third smaller
 STRETCH = LinearSegmentedColormap.from_list("stretch",
                                             ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
@@ -32,7 +32,7 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 
 
 def plain_log(axes, which="y"):
-    """A logarithmic axis with ticks like 0.2, 0.5, 1 instead of powers. Call it after drawing."""
+    """Makes an axis logarithmic, with ticks like 0.2, 0.5, 1 instead of powers. Call this after drawing."""
     axis = axes.yaxis if which == "y" else axes.xaxis
     (axes.set_yscale if which == "y" else axes.set_xscale)("log")
     low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
@@ -48,17 +48,17 @@ _with_pdf = False
 
 
 def print_as_pdf(wanted):
-    """Sets whether save() of this process writes every figure as PDF, too."""
+    """Sets whether save() also writes a PDF file of every figure."""
     global _with_pdf
     _with_pdf = wanted
 
 
 def save(figure, folder, name, palette=True, dpi=None, tight=True, large=LARGE):
-    """Writes folder/name.png, after print_as_pdf(True) also name.pdf, and returns the name of the picture.
-    `tight` cuts it to what is drawn.
+    """Writes folder/name.png (after print_as_pdf(True) also name.pdf), and returns the file name of the PNG.
+    `tight` removes empty margins.
 
-    A picture of more than `large` bytes gets 256 colours. Smooth shading would show them as steps: with
-    `palette` false its shades are rounded to multiples of SHADES instead.
+    A picture of more than `large` bytes is reduced to 256 colours. Smooth shading would then show steps; use
+    `palette` = False for such pictures, which rounds shades to multiples of SHADES instead.
     """
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -85,7 +85,7 @@ def save(figure, folder, name, palette=True, dpi=None, tight=True, large=LARGE):
 
 
 def _palette(image):
-    """256 colours for an image and for the stretch colour map, chosen from every third pixel."""
+    """256 colours that suit an image and the colour map of stretch, from every third pixel."""
     image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
     strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
     strip = strip.resize((image.width, image.height // 8))

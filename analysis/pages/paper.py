@@ -19,12 +19,12 @@ from web.verdicts import cards_html, claim_html, map_cells, map_html, map_mark, 
 
 FIRST_PICTURE = "fig_5_promise.png"
 RULES = ("<p>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dynamics in Triangular "
-         "Meshes</em>: each figure repeated, and the measured numbers beside each claim. The sheets are "
-         "chaotic, so numbers are medians over the last simulated second and over seeds. The rule under each "
-         "claim turns its numbers into a verdict.</p><p>Unless a figure says otherwise, a sheet of 1 m × 1 m "
-         "in N × N cells is pinned at its upper right corner. It starts horizontal and falls for 4 s. "
-         "Stretch σ₁ is the largest principal stretch of a triangle: σ₁ − 1 is 0 for an unstretched triangle "
-         "and 1 for one that is twice as long.</p>")
+         "Meshes</em>: this page repeats each figure, and states the measured numbers beside each claim. The "
+         "sheets are chaotic, so numbers are medians over the last simulated second and over seeds. The rule "
+         "under each claim turns its numbers into a verdict.</p><p>Unless a figure says otherwise, a sheet "
+         "of 1 m × 1 m in N × N cells is pinned at its upper right corner. The sheet starts horizontal and "
+         "falls for 4 s. Stretch σ₁ is the largest principal stretch of a triangle: σ₁ − 1 is 0 for an "
+         "unstretched triangle and 1 for a triangle that is twice as long.</p>")
 
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
@@ -32,38 +32,40 @@ REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
 
 FIGURES = [
     Figure(maps, "Where each claim holds", "Maps", maps.TEXT),
-    Figure(promise, "The promise: Fig. 5 a third time, with our settings", "The promise",
+    Figure(promise, "The paper's promise: Fig. 5 with our settings", "The promise",
            "The paper promises cloth that does not fail at a pin and does not change when its mesh is "
            "refined, at less cost. The recommended settings are the program's defaults; "
-           "configs/recommended.json gives the reason of each. They are the same on every mesh. But their "
-           "number of iterations was chosen on these scenes and on strips. In the first second the cloth "
-           "falls and is stretched more than at rest: the table has both.", "5"),
+           "configs/recommended.json gives the reason for each setting. The settings are the same on every "
+           "mesh. But the number of iterations was chosen on these scenes and on strips. In the first second "
+           "the cloth falls and is stretched more than at rest. The table has the stretch during the fall "
+           "and at rest.", "5"),
     Figure(promise_strip, "As stiff at every resolution? The recommended cloth on strips", "Strips",
-           "Strips of the recommended cloth, 20 cm long, hang at rest under a hundredth of gravity; their "
-           "shape gives their rigidity. At 96 cells the edges are 2.4 mm long, as on a sheet of 1 m with 411 "
-           "cells. The defaults take implicit steps. For comparison, strips of the same rigidity are solved "
-           "by projections (pbd; with a rigid membrane and tethers), with one iteration in each substep. A "
-           "projection of a hinge moves its four vertices only, so that bending travels from triangle to "
-           "triangle: in a substep h the solver passes on a rigidity of about ρ a⁴ / h² at most (a: edge "
-           "length). Edges of half the length need four times as many substeps, and each substep costs four "
-           "times as much. So keeping the rigidity costs N⁴. This stands in the way of the paper's promise "
-           "for every model whose projections are local. Solvers that couple the whole cloth do not have "
-           "this limit.", "5"),
+           "Strips of the recommended cloth, 20 cm long, hang at rest under a hundredth of gravity. The "
+           "rigidity is computed from the shape of a strip. At 96 cells the edges are 2.4 mm long, as on a "
+           "sheet of 1 m with 411 cells. The defaults take implicit steps. For comparison, strips of the "
+           "same rigidity are solved by projections (pbd, with a rigid membrane and tethers), with one "
+           "iteration in each substep. A projection of a hinge moves only the hinge's four vertices, so that "
+           "a correction reaches only the neighbouring triangles. In a substep of length h, the solver can "
+           "therefore reach a rigidity of at most about ρ a⁴ / h² (a: edge length). Edges of half the length "
+           "need four times as many substeps, and each substep costs four times as much. So the cost of the "
+           "same rigidity grows as N⁴ with N cells per side. This cost is an obstacle to the paper's promise "
+           "for every model with local projections. Solvers that couple the whole cloth do not have this "
+           "limit.", "5"),
     Figure(fig_1, "One pinned vertex", "Fig. 1", figure="1"),
     Figure(structure, "The springs of a vertex", "Fig. 2-4", figure="2-4"),
-    Figure(fig_5, "Crossover against adaptive springs over resolutions", "Fig. 5", figure="5"),
-    Figure(where, "Where the failure went: stretch against distance from the pin", "Where", figure="5"),
+    Figure(fig_5, "Crossover and adaptive springs at several resolutions", "Fig. 5", figure="5"),
+    Figure(where, "Where the sheet fails: stretch against distance from the pin", "Where", figure="5"),
     Figure(fig_6, "All rings against one ring (LOD)", "Fig. 6", figure="6"),
     Figure(fig_7, "Another material by scaling n", "Fig. 7", figure="7"),
     Figure(large_forces, "Large external forces", "Large forces",
-           "The author of the paper later named large external forces as what makes strain-based cloth fail. "
-           "In a storm (a wind of 21 m/s, turbulence intensity 0.5) and where pins are snatched away (0.85 m "
-           "in 0.1 s, 52 times the acceleration of gravity) we compare the paper's springs, with the paper's "
-           "settings, and our defaults with the same models and with hinges. Sheets of 1 m on 48 "
-           "cells.", "ours"),
-    Figure(ablations, "Where the paper is silent", "Ablations",
-           "Each question that the paper leaves open, with several answers. All other settings are those of "
-           "Fig. 5 without damping, on as many cells per side as the chart says."),
+           "The author of the paper later wrote that large external forces make strain-based cloth fail. We "
+           "test a storm (a wind of 21 m/s, turbulence intensity 0.5) and pins that are pulled away fast "
+           "(0.85 m in 0.1 s, 52 times the acceleration of gravity). We compare the paper's springs with the "
+           "paper's settings, and our default settings with the same springs and with hinges. The sheets of "
+           "1 m have 48 cells per side.", "ours"),
+    Figure(ablations, "Questions that the paper leaves open", "Ablations",
+           "Each open question has several answers, which are compared here. All other settings are as in "
+           "Fig. 5, without damping. A chart states the number of cells per side."),
     Figure(models, "Every bending model on the same scenes", "Models"),
     Figure(scenes, f"One cloth, {len(scenes.SCENES)} scenes, any bending model", "Scenes",
            "The scenes of configs/scenes with several bending models. Only /bending/model differs."),
@@ -103,8 +105,8 @@ def heading(section):
 
 
 def with_configs(cells):
-    """Adds the config of the first run of its commands to each cell: `base`, the index of an entry of the
-    returned list, and `changes`, the differences from this entry."""
+    """Adds to each cell the config of the first run in the cell's commands: `base` is the index of an entry
+    in the returned list, and `changes` are the differences from this entry."""
     bases = {}
     for cell in cells:
         lines = cell["command"].splitlines()
@@ -115,13 +117,12 @@ def with_configs(cells):
         base = bases.setdefault(config, own)
         cell |= {"base": list(bases).index(config), "changes": differing(base, own)}
         if len(lines) > 1 or len(points) > 1:
-            first = "the config below is that of its first run"
+            first = "the config below is the config of the first run"
             cell["told"] = f"{cell['told']}; {first}" if cell["told"] else first
     return list(bases.values())
 
 
 def motion():
-    """The section that shows the rows of the first picture in motion."""
     text = (f"The rows of the picture above on {promise.MOVING} cells: crossover springs, the paper's "
             "adaptive springs with the ring around the pin, and the recommended settings.")
     return Part("motion", "The promise, in motion",
@@ -136,12 +137,11 @@ def first_picture(sections):
 
 
 def judged(maps_, claims):
-    """Verdicts over all settings: of the maps, and of the claims that are not judged at one setting only."""
+    """The verdicts of all maps, and of the claims that are judged over several settings."""
     return [claim_map.holds for claim_map in maps_] + [claim.holds for claim in claims if not claim.setting]
 
 
 def answer(maps, claims):
-    """The page's answer: how many claims hold at every setting, at some, at none."""
     verdicts = judged(maps, claims)
     everywhere, nowhere = sum(holds is True for holds in verdicts), sum(holds is False for holds in verdicts)
     unknown = sum(holds is None for holds in verdicts)
@@ -154,7 +154,7 @@ def answer(maps, claims):
 
 
 def named(figure):
-    """The name of a figure: "Fig. 5a" for the number of the paper's figure, else the text itself."""
+    """The name of a figure: "Fig. 5a" for "5a", a number in the paper; other texts with a capital letter."""
     return escape(f"Fig. {figure}" if figure[:1].isdigit() else figure.capitalize())
 
 
@@ -169,7 +169,7 @@ def overview(maps, claims):
 
 
 def write_reference(results, path):
-    """Writes one row per experiment and point of its sweep, with medians and ranges over seeds."""
+    """Writes a CSV table: a row per point of each experiment's sweep, with medians and ranges over seeds."""
     columns = ["experiment", "cells", "model", "pin_ring", "setting", "seeds", "status", *COUNTS]
     columns += [f"{name}{'_minus_1' if offset else ''}{part}" for name, offset in REFERENCE.items()
                 for part in ("", "_low", "_high")]
@@ -190,7 +190,7 @@ def write_reference(results, path):
 
 
 def _setting(run, sweep):
-    """(cells, model, pinned rings, other swept settings as text)."""
+    """(cells, model, pinned rings, other swept settings as text) of a run."""
     named = ("/mesh/cells", "/bending/model", "/pins/ring", "/initial/seed")
     rest = [f"{pointer}={json.dumps(at(run.config, pointer))}" for pointer in sweep
             if pointer not in named and at(run.config, pointer) is not None]

@@ -1,4 +1,4 @@
-"""The page of what the solver costs on this machine, made from the output of `bendlab bench --json`."""
+"""The page about the cost of the solver on this machine, from the output of `bendlab bench --json`."""
 import json
 import re
 import sys
@@ -17,52 +17,55 @@ FIGURES = [
     Figure(overview, "What does a step cost?", "A step"),
     Figure(sizes, "Does a constraint cost more on a larger cloth?", "Size",
            "A larger cloth no longer fits the caches of the processor, so its constraints wait for memory. "
-           "An iteration visits every constraint once; the time is that of a constraint in an iteration."),
+           "An iteration projects every constraint once. The chart shows the time per constraint and "
+           "iteration."),
     Figure(kinds, "What does each kind of constraint cost?", "Kinds",
            "Models differ in the cost of a constraint and in the number of constraints. So both costs are "
            "shown: per constraint and per vertex."),
-    Figure(limits, "How near is that to what the machine can do?", "Limits",
-           "Two comparisons. The oracle is plain scalar code: one constraint at a time, straight from the "
-           "formulas. The roofline is the least time that arithmetic, caches and memory of this machine "
-           "allow; at 100 % of it the code would be as fast as the machine can be."),
+    Figure(limits, "How near is the code to the limits of the machine?", "Limits",
+           "The code is compared with the oracle and with the roofline. The oracle is plain scalar code that "
+           "projects one constraint at a time, straight from the formulas. The roofline is the least time "
+           "that the arithmetic, caches and memory of this machine allow. At 100 % of the roofline the code "
+           "would be as fast as the machine can be."),
     Figure(methods, "What does an iteration of each solver method cost?", "Methods",
-           "On one cloth, with hinges. An iteration visits every constraint (pbd), finds a gradient and "
-           "solves with a factor that it keeps (quasi_newton), factorises (newton), or visits every vertex "
-           "(vbd). How much nearer an iteration comes to the answer is another question: the page of "
-           "accuracy compares errors over time. The gradient and the solve are also timed alone."),
+           "All methods solve one cloth with hinges. An iteration of pbd projects every constraint. "
+           "quasi_newton computes a gradient and solves with a stored factorisation. newton computes the "
+           "factorisation again in every iteration. vbd moves every vertex. This chart does not show how "
+           "much an iteration reduces the error: the page of accuracy compares errors over time. The "
+           "gradient and the solve are also timed separately."),
     Figure(effects, "What does each effect add?", "Effects",
            "A scene lists its effects; an effect that is not listed costs nothing. Each effect is timed in a "
-           "scene in which it has work: obstacles are touched, and cloth that collides with itself lies in "
-           "five layers."),
+           "scene in which the effect acts: the cloth touches the obstacles, and for collisions with itself "
+           "the cloth lies in five layers."),
     Figure(set_up, "What does setting up cost?", "Set-up",
-           "Before the first step the springs are found and sorted: which vertices lie in which ring, and "
-           "which springs share no vertex (a colour), so that they can be projected side by side. Measured "
-           "on adaptive springs, of which a fine mesh has many."),
+           "Before the first step, the program finds the springs (which vertices lie in which ring) and "
+           "sorts them by colour: springs of one colour share no vertex, so that they can be projected at "
+           "the same time. The chart is for adaptive springs, because a fine mesh has many of them."),
     Figure(order, "What does the order by colour cost?", "Order",
-           "Constraints of one colour share no vertex, so the processor can project many at once. The price: "
-           "in one iteration a correction travels less far than in list order, where a constraint sees at "
-           "once how the constraint before it moved the vertices. The error is the mean strain of the "
+           "Constraints of one colour share no vertex, so the processor can project many at once. But in one "
+           "iteration a correction reaches fewer vertices than in list order, where each constraint uses the "
+           "positions that the previous constraint has just moved. The error is the mean strain of the "
            "triangles after a step."),
     Figure(threads, "What do more threads gain?", "Threads"),
-    Figure(history, "Was it faster before?", "History"),
+    Figure(history, "Was the solver faster before?", "History"),
 ]
 
 
 def default_results(out):
-    """The file with the rows, unless the caller names another file."""
+    """The file with the rows (measurements), if the caller names no file."""
     return out / "bench.json"
 
 
 def read(file):
-    """What the benchmark printed into a file."""
+    """The output of the benchmark, read from a file."""
     try:
         return json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        sys.exit(f"{file}: {error}; make it with: ./bendlab bench --json > {file}")
+        sys.exit(f"{file}: {error}. Write this file with: ./bendlab bench --json > {file}")
 
 
 def write_data(sections, bench, out):
-    """summary.json: an object per row; and bench.json, unless the rows are from there."""
+    """Writes summary.json, with an object per row. Writes bench.json if it does not have these rows."""
     file = out / "bench.json"
     if not file.exists() or read(file) != bench:
         file.write_text(json.dumps(bench, indent=1), encoding="utf-8")
@@ -73,14 +76,14 @@ def write_data(sections, bench, out):
 
 
 def content(sections, out):
-    """The answer, how it was measured, every row."""
+    """The page's answer, and sections on the method, on every row, and on the data."""
     bench = read(out / "bench.json")
     context = bench["context"]
     parts = [Part("method", "How was it measured?", method_html(bench) + machine_html(context), "Method"),
              Part("rows", "Every timed row", rows_html(bench["rows"]), "Rows"),
              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every row, with the time "
-                  "per vertex. <a href='bench.json'>bench.json</a>: as the program wrote it.</p>"
-                  f"<pre>{escape(PAGE.everything)}</pre>", "Data")]
+                  "per vertex. <a href='bench.json'>bench.json</a>: the output of the "
+                  f"program.</p><pre>{escape(PAGE.everything)}</pre>", "Data")]
     overview_text = next((section.text for section in sections if section.id == "overview"), "")
     return Content(escape(overview_text) or "There is no row of a whole step.",
                    f"<p class='lead'>{escape(origin(context))}</p>", parts, made=made_by(context))
@@ -94,7 +97,6 @@ def made_by(context):
 
 
 def origin(context):
-    """Where and when the rows were measured, and with which program."""
     return (f"Measured on {context['date'][:10]} on one machine: {context['processor']}, "
             f"{context['vector_bits']}-bit vectors, {context['compiler']}, commit "
             f"{context['git_commit'][:12]} {tree(context)}.")
@@ -105,7 +107,6 @@ def tree(context):
 
 
 def method_html(bench):
-    """How the rows were measured, as HTML."""
     timed = [row for row in bench["rows"] if row["repetitions"]]
     repetitions = sorted({row["repetitions"] for row in timed})
     rounds = iterations(bench["rows"])
@@ -115,18 +116,18 @@ def method_html(bench):
                else "")
             + (f"Each number is the median of {' or '.join(map(str, repetitions))} repetitions, with the "
                "lowest and the highest beside it. " if repetitions else "")
-            + "Where one thread works, its processor time counts; where several do, the time on the clock."
-            "</p><p>The <b>oracle</b> is the scalar code: one constraint at a time, in list order, straight "
-            "from the formulas. It is written to be checked, and the fast code must agree with it. It is "
-            "timed at one size, and every size is compared with that time. The oracle of a solve is "
-            "CHOLMOD's own, in double precision and at each size. The <b>roofline</b> is the least "
-            "time that the machine allows: the largest of the time for the arithmetic, for the bytes through "
-            "the first cache, and for the bytes through the memory that holds the whole cloth. Its limits "
-            "are measured in the same process; they stand below.</p>")
+            + "Times on one thread are processor times. Times on several threads are wall times.</p><p>The "
+            "<b>oracle</b> is the scalar code: one constraint at a time, in list order, straight from the "
+            "formulas. The oracle is written to be easy to check, and the results of the fast code must "
+            "agree with the oracle. The oracle is timed at one size, and all sizes are compared with this "
+            "time. For a linear solve, the oracle is CHOLMOD's solve in double precision, at each size. The "
+            "<b>roofline</b> is the least time that the machine allows: the largest of three times, for the "
+            "arithmetic, for the bytes through the first cache, and for the bytes through the cache or "
+            "memory that holds the whole cloth. These limits of the machine are measured in the same process "
+            "and listed below.</p>")
 
 
 def machine_html(context):
-    """Machine and program as an HTML table."""
     rows = {"processor": context["processor"], "vectors": f"{context['vector_bits']} bits",
             "host": context["host"], "date (UTC)": context["date"].replace("T", " ").rstrip("Z"),
             "compiler": context["compiler"], "flags": context["flags"], "build": context["build_type"],
@@ -144,7 +145,6 @@ def machine_html(context):
 
 
 def rows_html(rows):
-    """Every timed row as a folded table."""
     timed = [shown(row) | {"row": row["name"]} for row in rows if row["ns_per_constraint"] is not None]
     made = table("rows", "ns per constraint and iteration (set_up: per spring; effects: per vertex and step; "
                  "methods: per vertex and iteration; solves: per vertex)",

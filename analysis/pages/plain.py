@@ -1,4 +1,4 @@
-"""The page of the plain matrix: simple scenes, and whether a run goes wrong without a warning."""
+"""The page of the plain matrix: does a run of a simple scene go wrong without a warning?"""
 import numpy as np
 
 from figures.plain import shares
@@ -17,9 +17,10 @@ STATUS = {SILENT: "fails", TOLD: "amber", ALARM: "amber", SOUND: "holds"}  # ver
 TITLES = {SILENT: "Wrong without a warning, one by one", TOLD: "Wrong with a warning",
           ALARM: "Reported as implausible, but no bound is broken"}
 MANY = 20  # rows in a table of pairs
-SCENES = ("<p>No scene here is meant to be hard. They combine every mesh, every kind of pins, every model "
-          "and every kind of stiffness, mixed so that any three settings occur together in at least one run. "
-          "Bounds that any correct cloth keeps judge each run; they do not use the program's verdict.</p>")
+SCENES = ("<p>No scene here is meant to be hard. The scenes combine every mesh, every kind of pins, every "
+          "model and every kind of stiffness, mixed so that any values of three settings occur together in "
+          "at least one run. Each run is judged by bounds that are true for any correct cloth, and not by "
+          "the program's verdict.</p>")
 
 
 def write_data(sections, results, out):
@@ -57,26 +58,24 @@ def count(judged, verdict):
 
 
 def answer(judged):
-    """The page's answer in one sentence."""
     silent = [run for run in judged if run["verdict"] == SILENT]
     if not judged:
         return "There are no runs yet."
     if not silent:
-        return (f"<b>No.</b> Of {len(judged)} runs {count(judged, TOLD)} broke a bound, and every one of "
-                "them got a warning.")
+        return (f"<b>No.</b> Of {len(judged)} runs {count(judged, TOLD)} broke a bound, and each of these "
+                "runs has a warning.")
     worst = max(silent, key=excess)
     return (f"<b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: {escape(bound_text(worst))}, "
             f"with {escape(settings_text(worst))}.")
 
 
 def excess(run):
-    """How far beyond its limit the worst number of a run is."""
+    """The worst number of a run over its limit; infinite if the number is not finite."""
     worst = known_values(run["worst"])
     return worst["value"] / worst["limit"] if np.isfinite(worst["value"]) else np.inf
 
 
 def about(run):
-    """The data of a run for the page's scripts."""
     worst = known_values(run["worst"])
     finite = np.isfinite(worst["value"])
     return {"id": run["id"], "title": settings_text(run), "status": STATUS[run["verdict"]],
@@ -89,23 +88,23 @@ def about(run):
 
 
 def rules():
-    return ("<p>A run breaks a bound if one of these holds. A coordinate is not a number. A pinned vertex "
-            f"moves. The mean strain exceeds {MEAN_STRAIN:g}, or a triangle is stretched to more than "
-            f"{STRETCH:g} times its length: every membrane here is stated not to stretch, and woven cloth "
-            "yields by a tenth before it is taut (Provot 1995). A vertex is farther from its pin than "
-            f"{1 + WAY:g} times the path along the edges, by more than {NEAR:g} sizes (a size is the "
-            f"diagonal of the rest shape). A vertex is faster than {SPEED:g} (v<sub>0</sub> + g t), or "
-            f"kinetic energy plus energy of weight rises by more than {ENERGY:g} of their scale; prestressed "
-            "springs push from the start, so these two are not checked for them. Without pins, the centre "
-            "of mass differs from x<sub>0</sub> + v<sub>0</sub> t + g t (t + h) / 2, the exact motion in "
-            "steps of h (by BDF2 g t² / 2 + 3/4 g h² (1 − 3<sup>−t/h</sup>)), by more than "
-            f"{FALL:g} of its fall.</p><p>A run has a <b>warning</b> if the "
-            "program ends it as implausible or diverged, or warns of something that affects these numbers. A "
-            "run is <b>wrong without a warning</b> if it breaks a bound and the program reports nothing.</p>")
+    return ("<p>A run breaks a bound if one of these statements is true. A coordinate is not a number. A "
+            f"pinned vertex moves. The mean strain exceeds {MEAN_STRAIN:g}, or a triangle is stretched to "
+            f"more than {STRETCH:g} times its length: every membrane here is stated not to stretch, and "
+            "woven cloth yields by a tenth before it is taut (Provot 1995). The distance of a vertex from "
+            f"its pin exceeds {1 + WAY:g} times the path along the edges by more than {NEAR:g} sizes (a size "
+            f"is the diagonal of the rest shape). A vertex is faster than {SPEED:g} (v<sub>0</sub> + g t), "
+            f"or the sum of kinetic and potential energy rises by more than {ENERGY:g} of its scale (kinetic "
+            "energy at the start plus weight × size). Speed and energy are not checked for prestressed "
+            "springs, because these push from the start. Without pins, the centre of mass differs from its "
+            f"exact motion in steps of h by more than {FALL:g} of the length of the fall. The exact motion "
+            "is x<sub>0</sub> + v<sub>0</sub> t + g t (t + h) / 2, where the last term with BDF2 is g t² / "
+            "2 + 3/4 g h² (1 − 3<sup>−t/h</sup>).</p><p>A run has a <b>warning</b> if the program ends it "
+            "as implausible or diverged, or warns of something that affects these numbers. A run is "
+            "<b>wrong without a warning</b> if it breaks a bound and the program reports nothing.</p>")
 
 
 def pairs_html(judged):
-    """Table of pairs of settings that fail together."""
     rows = [{"value": f"{a[0]}: {a[1]}", "with": f"{b[0]}: {b[1]}", "wrong": wrong, "runs": runs,
              "expected": expected}
             for (a, b), wrong, runs, expected in shares.pairs(judged)[:MANY]]
@@ -127,7 +126,7 @@ def bound_text(run):
 
 
 def failures_html(runs):
-    """A table of runs, sorted by how far they break a bound; a row opens its run."""
+    """A table of runs, sorted by worst number over limit; a click on a row opens the run."""
     names = list(runs[0]["settings"])
     chosen = {"method", "mesh", "pins", "model", "bending", "precision", "start"}
     head = "<th class='t'>worst number, its limit</th>" + "".join(

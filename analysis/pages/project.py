@@ -1,7 +1,7 @@
-"""What a page of the project is: a list of figures, and how it is drawn, kept and laid out.
+"""A page of the project: its figures, and how its files are made.
 
-A page has two steps. Drawing reads run files and gives sections, which are kept beside the page as page.json.
-Laying out makes index.html from page.json, so that a changed layout needs no runs: page.py NAME --again.
+A page is made in two steps. First, drawing reads run files and writes sections to page.json. Then, laying out
+makes index.html from page.json. A change of the layout needs only the second step: page.py NAME --again.
 """
 import importlib
 import json
@@ -43,7 +43,7 @@ class Figure:
 
 @dataclass
 class Content:
-    """What a page says besides the sections of its figures."""
+    """The content of a page besides the sections of its figures."""
 
     answer: str  # HTML, one sentence
     top: str = ""  # HTML below the answer
@@ -68,14 +68,14 @@ class Page:
 
     @property
     def everything(self):
-        return f"{self.command}      # everything, and this page"
+        return f"{self.command}      # everything on this page"
 
 
 # --- drawing -----------------------------------------------------------------------------------------------
 
 def draw(page_, results, out, only=(), with_pdf=False):
-    """Draws the sections of a page into the folder `out`, keeps them there and returns them. `only`: ids of
-    the figures to draw, all if empty; the other sections stay as they were kept."""
+    """Draws the sections of a page, writes them to page.json in the folder `out`, and returns them. `only`:
+    ids of the figures to draw, all if empty; all other sections stay as they are in page.json."""
     out.mkdir(parents=True, exist_ok=True)
     results = page_.read(results)
     before = {section.id: section for section in kept(out)} if only and (out / KEPT).exists() else {}
@@ -97,7 +97,7 @@ def described(figure):
 
 
 def drawn(module, section, results, out, command=""):
-    """The section, filled by the main() of a module, with its pictures and charts as files in `out`."""
+    """Lets the main() of a module fill the section, and writes pictures and charts to files in `out`."""
     importlib.import_module(module).main(results, out, section)
     tables = {table.id: table for table in section.tables}
     for chart in section.charts:
@@ -108,7 +108,7 @@ def drawn(module, section, results, out, command=""):
 
 
 def kept(out):
-    """The sections that draw() kept in a folder. ValueError: another version of this program wrote them."""
+    """The sections in a folder's page.json. ValueError if another version of this program wrote the file."""
     try:
         return [Section.of_json(entry) for entry in json.loads((out / KEPT).read_text(encoding="utf-8"))]
     except (KeyError, TypeError):
@@ -117,7 +117,7 @@ def kept(out):
 
 
 def summary(out):
-    """The objects of a page's summary.json; [] without it."""
+    """The objects of a page's summary.json; [] if there is no such file."""
     file = out / "summary.json"
     return json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
 
@@ -125,8 +125,8 @@ def summary(out):
 # --- laying out --------------------------------------------------------------------------------------------
 
 def lay_out(page_, out, drawn_now=()):
-    """Writes index.html from the sections that the folder `out` keeps. Its moving cloth comes from the
-    sections `drawn_now`; if they have none, from the index.html that is already there."""
+    """Writes index.html from the page.json in the folder `out`. The page's moving cloth comes from the
+    sections `drawn_now`; if these sections have none, from the old index.html."""
     sections = kept(out)
     content = page_.content(sections, out)
     moving = [section.frames for section in drawn_now if section.frames]
@@ -151,7 +151,7 @@ def lay_out(page_, out, drawn_now=()):
 
 
 def chart_html(chart, note=""):
-    """The element in which the page's script draws a chart."""
+    """The HTML element in which the page's script draws a chart."""
     text = " ".join(part for part in (chart.get("note", ""), note) if part)
     text = f"<span>{escape(text)}</span>" if text else ""
     return (f"<figure class='chart' data-chart='{chart['id']}' id='chart-{chart['id']}'><figcaption><b>"
@@ -159,7 +159,6 @@ def chart_html(chart, note=""):
 
 
 def write(out, page_, content, made):
-    """Writes a page's index.html into the folder `out`."""
     top = f"<h1>{escape(page_.title)}</h1><p class='answer'>{content.answer}</p>{content.top}"
     parts = content.parts
     if committed.is_own(out):
@@ -186,13 +185,12 @@ def links_html(here, home):
 
 
 def own_html(name):
-    """The first line of a page of your own runs."""
     return ("<p class='grey small'>This page shows your own runs. The project's runs are on <a "
             f"href='../../{name}/index.html'>the committed page</a>.</p>")
 
 
 def beside_the_committed(out):
-    """[the section that compares a page of your own runs with the committed page]; [] without data."""
+    """A list: the section that compares a page of your own runs with the committed page; [] without data."""
     comparison = committed.compared(committed.COMMITTED / out.name, out)
     if comparison is None:
         return []
@@ -205,14 +203,15 @@ def beside_the_committed(out):
               Table.of("verdicts", "Verdicts that differ or are open", ["what", "committed", "mine"],
                        [dict(zip(("what", "committed", "mine"), row)) for row in comparison.verdicts]),
               Table.of("numbers", "Numbers that differ", ["what", "committed", "mine"], differing)]
-    text = ("<p>On processors of one kind, runs of the same program agree to the bit. On another kind "
-            "rounding differs, and chaotic sheets then differ as much as two seeds do.</p>")
+    text = ("<p>On processors of one kind, runs of the same program agree to the bit. On another kind of "
+            "processor rounding differs, and chaotic sheets then differ as much as runs with different "
+            "seeds.</p>")
     return [Part("committed", "Beside the committed page",
                  text + "".join(table_html(table) for table in tables if table.rows), "Committed")]
 
 
 def sized(text, folder):
-    """A page whose PNG pictures state their size, so that nothing moves when they arrive."""
+    """The page with sizes added to its PNG pictures, so that the text does not move while they load."""
     def with_size(match):
         file = folder / match[1]
         if not file.exists():

@@ -19,16 +19,17 @@ PLAIN = "meshes: grid"  # the case with which all flaws and meshes are compared
 LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
          "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
 METHODS = "methods.json"
-FIGURES = [Figure(cells, "The cases that tell models apart", "Cases"),
-           Figure(methods, "The same with other methods", "Methods"),
+FIGURES = [Figure(cells, "Cases whose verdict depends on the model", "Cases"),
+           Figure(methods, "Hard cases with other solver methods", "Methods"),
            Figure(pin, "Is the degenerate triangle the cause?", "One pin",
                   "A sheet of 64 × 64 cells hangs from one vertex with the published settings: ten "
-                  "iterations, k = 0.5, one step of 1/60 s. In each frame the worst triangle within "
-                  f"{pin.NEAR} rings of the pin is measured: its stretch, its shape, and how far constraints "
-                  "moved a vertex from its free flight. A triangle is degenerate if its longest edge is more "
-                  f"than {pin.NEEDLE:g} times the shortest or an angle exceeds {pin.CAP:g}°. Its strain has "
-                  f"failed above a stretch of {1 + pin.STRETCHED:g}. A correction overshoots if it is longer "
-                  "than an edge.")]
+                  "iterations, k = 0.5, one step of 1/60 s. Three numbers are measured in each frame, "
+                  f"within {pin.NEAR} rings of the pin: the largest stretch of a triangle, the worst shape "
+                  "of a triangle, and the largest correction. A correction is the distance by which "
+                  "constraints moved a vertex from its free flight. A triangle is degenerate if its longest "
+                  f"edge is more than {pin.NEEDLE:g} times the shortest or an angle exceeds {pin.CAP:g}°. "
+                  f"The strain of a triangle has failed above a stretch of {1 + pin.STRETCHED:g}. A "
+                  "correction overshoots if it is longer than an edge.")]
 
 
 def write_data(sections, results, out):
@@ -41,9 +42,10 @@ def content(sections, out):
     runs, file = summary(out), out / METHODS
     by_method = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
     matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
-    lead = ("<p>A row per case; the cases whose verdicts differ most among models come first. Each cell has "
-            "two halves: single precision left, double precision right. A click on a cell opens its run: the "
-            f"worst number and its limit, the reason, config and command. {plain_grid(runs)}</p>")
+    lead = ("<p>Each row is a case; the cases whose verdicts differ most among models come first. The left "
+            "half of a cell is for single precision, the right half for double precision. A click on a cell "
+            "opens its run: the worst number and its limit, the reason, config and command. "
+            f"{plain_grid(runs)}</p>")
     verdicts = {"cells": [lead, matrix, alike], "methods": stability_methods.methods_html(by_method)}
     groups = [part for title, cases in SECTIONS.items() if (part := section_of(title, cases, runs, out))]
     parts = [*groups, Part("rules", "The rules", rules(), "Rules"),
@@ -54,19 +56,17 @@ def content(sections, out):
 
 
 def amber_html(runs):
-    """A note below the first matrix: what amber says, and what it does not."""
+    """A note below the first matrix on the meaning of amber."""
     note = plain_grid(runs)
     return f"<p class='note'>{note}</p>" if note else ""
 
 
 def data_html(by_method):
-    """The links to the page's data."""
     also = f", <a href='{METHODS}'>{METHODS}</a>: the runs with other methods" if by_method else ""
     return f"<p><a href='summary.json'>summary.json</a>: every run{also}.</p>"
 
 
 def answer(runs):
-    """The page's answer: which models fail in the fewest hard cases, and which in the most."""
     if not runs:
         return "There are no runs yet."
     compared = stability_matrix.shared(runs)
@@ -77,44 +77,45 @@ def answer(runs):
     listed = lambda names: ", ".join(f"<b>{escape(name)}</b>" for name in names)
     fails = lambda names: "fails" if len(names) == 1 else "fail"
     counts = Counter(run["verdict"] for run in runs)
-    return (f"Of the {of} hard cases and precisions that every model can have, {listed(few)} {fails(few)} in "
-            f"the fewest, {red[few[0]]}; {listed(many)} in the most, {red[many[0]]}. Of all {len(runs)} runs "
-            f"{counts[RED]} fail, {counts[AMBER]} are stable but do not recover, {counts[GREEN]} pass.")
+    return (f"Every model has {of} comparable runs, each a hard case in one precision. {listed(few)} "
+            f"{fails(few)} in the fewest of these runs, {red[few[0]]}. {listed(many)} {fails(many)} in the "
+            f"most, {red[many[0]]}. Of all {len(runs)} runs {counts[RED]} fail, {counts[AMBER]} are stable "
+            f"but do not recover, {counts[GREEN]} pass.")
 
 
 def rules():
-    """The rules for verdicts as HTML."""
-    return ("<p>A run is <b>red</b> if one of these holds. It ended in a value that is not a number. A "
-            f"vertex was ever {APART:g} times as far from the cloth's middle as at the start (at least "
-            f"{APART:g} sizes; a size is the diagonal of the rest shape), or at the end more than {FAR:g} "
-            f"sizes. Momentum changed where no force acts, by more than {MOMENTUM} times the random walk of "
-            "the projections' rounding errors. Where nothing drives the cloth, its total energy rose above "
-            f"the value at the start by more than {ENERGY:g} of kinetic energy, elastic energy and weight × "
-            "size. A stiffness given as k defines no elastic energy. So energy is checked only for cases "
-            "that start at rest length or are elastic, and not for prestressed springs, which push from the "
-            "start.</p><p>It is <b>amber</b> if it is stable but has not recovered. Either the mean strain "
-            f"stays above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most "
-            f"{STRAIN_CEILING:g}). Or, where the rest shape can be reached, the cloth's distance from it is "
-            f"still more than {100 * NEAR:g} % of its size (root mean square, after the best rotation and "
-            "translation) and more than twice the undisturbed run's (taken as at most "
+    return ("<p>A run is <b>red</b> if one of these statements is true. The run ended with a value that is "
+            f"not a number. A vertex was at any time {APART:g} times as far from the cloth's middle as at "
+            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape), or at the end "
+            f"more than {FAR:g} sizes. Without forces, the momentum changed by more than {MOMENTUM} times "
+            "the random walk of the projections' rounding errors. In a case where nothing adds energy, the "
+            f"total energy rose above its value at the start by more than {ENERGY:g} of the sum of kinetic "
+            "energy, elastic energy and weight × size. A stiffness given as k defines no elastic energy. So "
+            "energy is checked only for cases that start at rest length or are elastic, and not for "
+            "prestressed springs, which push from the start.</p><p>A run is <b>amber</b> if it is stable "
+            "but has not recovered. Either the mean strain stays above twice the mean strain of the "
+            f"undisturbed run (which counts as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}). Or "
+            "the cloth could reach its rest shape, but its distance from the rest shape is still more than "
+            f"{100 * NEAR:g} % of its size (root mean square, after the best rotation and translation) and "
+            "more than twice the distance in the undisturbed run (which counts as at most "
             f"{100 * NOT_BACK / 2:g} %). Or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain "
             "is the median over the last second.</p>")
 
 
 def plain_grid(runs):
-    """A note if the plain grid itself is amber, with which all flaws and meshes are compared."""
+    """A note if the run of the plain grid is amber: all flaws and meshes are compared with this run."""
     seen = group([run for run in runs if run["case"] == PLAIN], lambda run: run["model"])
     amber = sum(any(run["verdict"] == AMBER for run in own_runs) for own_runs in seen.values())
     if not amber:
         return ""
-    return ("Red means unstable, and compares models. Amber only means not recovered. Even the undisturbed "
-            f"run (the plain grid, stretched by half and released) is amber for {amber} of {len(seen)} "
-            "models, in one precision or both. So amber says nothing about the flaws and meshes that are "
-            "compared with it.")
+    return ("Red means unstable, so red cells show differences between models. Amber only means not "
+            "recovered. Even the undisturbed run (the plain grid, stretched by half and released) is amber "
+            f"for {amber} of {len(seen)} models, in one precision or in both. So an amber cell tells nothing "
+            "about the flaws and meshes that are compared with this run.")
 
 
 def section_of(title, cases, runs, out):
-    """One group of cases: their rules, runs that are not green with reasons, and pictures. None without
+    """The section of a group of cases: rules, reasons of runs that are not green, a picture. None without
     runs."""
     here = {case.name: case for case in cases if any(run["case"] == case.name for run in runs)}
     if not here:
@@ -126,10 +127,11 @@ def section_of(title, cases, runs, out):
     parts = []
     picture = f"fig_stability_{address(title).replace('-', '_')}.png"
     if (out / picture).exists():
-        parts.append(picture_html(picture, "For each way in which a case turns red: the last good frame of "
-                                           "its worst run. For a case without red runs: that of its worst "
-                                           "amber run. Colour is stretch. Each picture shows the whole "
-                                           "cloth; the text below states its extent (one size at rest)."))
+        parts.append(picture_html(picture, "The last good frame of the worst run of each case, for each "
+                                           "criterion that makes the case red. A case without red runs has "
+                                           "the last frame of its worst amber run. Colour is stretch. Each "
+                                           "picture shows the whole cloth, and the text below states the "
+                                           "cloth's extent (one size at rest)."))
     failed = [run for run in own if run["verdict"] != GREEN]
     if failed:
         parts.append(failed_html(failed, len(stability_matrix.models_of(runs))))
@@ -162,8 +164,8 @@ def failed_html(failed, models):
 
 
 def models_text(runs, models):
-    """The models of these runs as text; a model with runs in one precision only is followed by it. `models`:
-    number of models on the page."""
+    """The models of these runs as text; the precision follows a model that has runs in one precision only.
+    `models`: number of models on the page."""
     precisions = group(runs, lambda run: run["model"])
     if len(precisions) == models and all(len(own_runs) == 2 for own_runs in precisions.values()):
         return "all"

@@ -1,6 +1,6 @@
 """results/index.html, the start page: which model for my mesh, and a card for every page.
 
-It reads what the other pages wrote: sections, answers, and summary.json of accuracy and stability.
+The start page reads files of all other pages: sections, answers, summary.json of accuracy and stability.
 """
 import re
 
@@ -18,7 +18,7 @@ from web.html_parts import Made, Part, escape, page, table_html
 TITLE = "Bending models for cloth: which one, how stiff, how stable, at what cost"
 PICTURES = {"paper": "fig_5_promise.png", "stiffness": "effective.png", "accuracy": "levels.png",
             "stability": "fig_stability_start_poses.png", "performance": "step.png"}
-QUESTIONS = {"paper": "Does the paper hold?", "stiffness": "How stiff is it really?",
+QUESTIONS = {"paper": "Are the paper's claims true?", "stiffness": "How stiff is it really?",
              "accuracy": "What does accuracy cost?", "stability": "What is stable?",
              "performance": "What does the solver cost?", "plain": "Does any run go wrong without a warning?"}
 FAMILIES = {"equilateral": "equilateral triangles", "grid": "a grid of squares with diagonals",
@@ -40,9 +40,9 @@ def write(results):
         "runs": [chooser_run(*candidate) for candidate in chosen], "scenes": list(SCENES),
         "families": FAMILIES, "stiffness": stiffness(sections(results, "stiffness")),
         "stability": stability(stable)}}
-    top = (f"<h1>{escape(TITLE)}</h1><p class='lead'>Measured answers, each one click from its evidence.</p>")
+    top = (f"<h1>{escape(TITLE)}</h1><p class='lead'>Measured answers, each with a link to its evidence.</p>")
     if results.name == OWN:
-        top += ("<p class='grey small'>These pages are made of your own runs. The project's are <a "
+        top += ("<p class='grey small'>These pages show your own runs. The project's runs are on <a "
                 "href='../index.html'>the committed pages</a>.</p>")
     parts = [Part("choose", "Which model for my mesh?", chooser_html(chosen), "Choose"),
              Part("pages", "The pages", cards_html(results), "Pages"),
@@ -54,7 +54,7 @@ def write(results):
 
 
 def sections(results, name):
-    """The sections that a page keeps; [] if there is no page."""
+    """The sections in a page's page.json; [] if there is no page."""
     try:
         return kept(results / name) if (results / name / KEPT).exists() else []
     except ValueError:  # of another version: its card then has no answer
@@ -76,7 +76,7 @@ def chooser_run(run, scene, error, against):
 
 
 def stiffness(sections_):
-    """Family → model → the factor by which its stated stiffness changes with the resolution."""
+    """Family of meshes → model → factor by which the model's stated stiffness changes with the resolution."""
     factors = {}
     for row in (row for section in sections_ for row in section.table("summary")):
         family = STIFF_MESHES.get(row["family"], row["family"])
@@ -98,7 +98,7 @@ def stability(runs):
 
 
 def chooser_html(chosen):
-    """The element of the chooser, and a table of its answers for print and browsers without scripts."""
+    """HTML of the chooser, and a table of its answers for print and for browsers without scripts."""
     rows = []
     for scene in SCENES:
         for level in LEVELS:
@@ -108,13 +108,13 @@ def chooser_html(chosen):
                  "work": accuracy_runs.work(best), "error": 100 * best[f"{error}_rms"],
                  "ms": best["ms_per_frame"]}
                 if best else {"model": "none of the measured runs", "method": "", "work": ""}))
-    table = table_html(Table.of("cheapest", "The cheapest measured run within an error, on any cells", [
+    table = table_html(Table.of("cheapest", "The fastest measured runs for given limits of the error", [
         ("scene", "a cloth that"), ("level", "error at most"), ("against", "error from"), "model", "method",
         "cells", ("work", "substeps × iterations"), ("error", "error", "", "%"),
         ("ms", "time per frame", "", "ms")], rows)) if chosen else "<p>There are no accuracy runs yet.</p>"
-    return ("<p>Say what your cloth is like; the answer is the measured run that fits best, with its config. "
-            "All numbers are read from the runs behind these pages.</p><div "
-            "id='chooser'></div><details><summary>The same as a table</summary>" + table + "</details>")
+    return ("<p>Describe your cloth. The answer is the measured run that fits best, with its config. All "
+            "numbers are read from the runs behind these pages.</p><div "
+            "id='chooser'></div><details><summary>The answers as a table</summary>" + table + "</details>")
 
 
 # --- cards -------------------------------------------------------------------------------------------------
@@ -142,7 +142,6 @@ def answer_of(file):
 
 
 def origin_html(results):
-    """Commit, date and machine of every page."""
     rows = []
     for name, text in NAMES.items():
         made = origin_of_page(results, name)
@@ -154,7 +153,7 @@ def origin_html(results):
 
 
 def origin_of_page(results, name):
-    """Commit, date and machine of a page (Made); None if it keeps neither."""
+    """Commit, date and machine of a page (Made); None if no file of the page states them."""
     measured = results / name / "bench.json"
     if measured.exists():
         return performance.made_by(performance.read(measured)["context"])

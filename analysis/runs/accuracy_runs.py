@@ -1,5 +1,4 @@
-"""The data of the runs of configs/accuracy for pages: id, config and command. A run is given as its object in
-summary.json."""
+"""Data on the runs of configs/accuracy: id, config, command. A `run` here is an object in summary.json."""
 from bendlab.results.load import group
 from runs import repeat
 from runs.collected import differing, flattened
@@ -12,9 +11,9 @@ ERRORS = {"error_physical_rms": "error from the stated cloth",
 NUMBERS = {"ms_per_frame": ("CPU time per frame", "ms", "of the steps, for 1/60 s of cloth"),
            "memory_bytes": ("memory", "bytes", "")}
 
-STATED, OWN_REST, OWN_MOTION = "the stated cloth", "the equilibrium of calibrated hinges on its mesh", \
-    "the motion of calibrated hinges by Newton's method"
-# Description of a cloth → (experiments that measured it, name of the error, what it is measured against).
+STATED, OWN_REST = "the stated cloth", "the equilibrium of calibrated hinges on the same mesh"
+OWN_MOTION = "the motion of calibrated hinges by Newton's method"
+# Description of a cloth → (experiments with this cloth, name of the error, reference of the error).
 SCENES = {
     "hangs from two corners: gravity gives the shape": ((
         "accuracy_front", "accuracy_front_slow", "accuracy_front_work_slow", "accuracy_beat",
@@ -37,13 +36,13 @@ def config_of(run):
 
 
 def work(run):
-    """Substeps × iterations of a run, or its method if the method has none."""
+    """Substeps × iterations of a run, or the run's method if the run states no substeps."""
     solver = run["settings"]
     return f"{solver['substeps']} × {solver['iterations']}" if "substeps" in solver else solver["method"]
 
 
 def front(runs, error):
-    """The runs that no other run beats in both cost and the error of this name, cheapest first."""
+    """The front, fastest first: the runs that are more accurate than all faster runs. `error`: its name."""
     best, kept = float("inf"), []
     known = [run for run in runs if isinstance(run.get(error), (int, float)) and run.get("ms_per_frame")]
     for run in sorted(known, key=lambda run: (run["ms_per_frame"], run[error])):
@@ -54,8 +53,8 @@ def front(runs, error):
 
 
 def candidates(runs):
-    """(run, scene, name of the error, what it is measured against) of every run that can be an answer: it is
-    on the front of its model, method and cells in its scene."""
+    """[(run, scene, name of the error, reference of the error)] of the runs that can be an answer: the fronts
+    of all runs of a scene with one model, one method and one number of cells."""
     chosen = []
     for scene, (names, error, against) in SCENES.items():
         own = [run for run in runs if run["experiment"] in names and run["status"] == "complete"
@@ -67,7 +66,7 @@ def candidates(runs):
 
 
 def cheapest(chosen, scene, level):
-    """A scene's cheapest candidate within an error, or None. The reference must resolve the error."""
+    """A scene's fastest candidate with at most this error, or None; the reference must be exact enough."""
     near = [run for run, of, error, _ in chosen if of == scene and run[f"{error}_rms"] <= level
             and level >= (run.get(f"{error}_reference_gap") or 0)]
     return min(near, key=lambda run: run["ms_per_frame"], default=None)
@@ -79,23 +78,21 @@ def title(run):
 
 
 def scene(run):
-    """The name of the run's config as words."""
     return run["experiment"].removeprefix(PREFIX).replace("_", " ")
 
 
 def config_at(run):
-    """The config of one run, as a whole file for `bendlab run`. If the run's place on the sweep was not
-    recorded: the settings that the whole sweep has in common."""
+    """The whole config of one run, as a file for `bendlab run`. If the run's point of the sweep was not
+    recorded, only the settings that all runs of the sweep share."""
     settings = settings_at(read_config(config_of(run)), run["point"] or {})
     return {key: value for key, value in settings.items() if key not in ("sweep", "accuracy")}
 
 
 def data(runs):
-    """The data of the runs for the page's scripts."""
     configs = list(dict.fromkeys(map(config_of, runs)))
     first = {config_of(run): run for run in reversed(runs)}
     bases = [flattened(config_at(first[config])) for config in configs]
-    names = NUMBERS | {name: (text, "1", "root mean square, in diagonals of the rest box")
+    names = NUMBERS | {name: (text, "1", "root mean square, relative to the diagonal of the rest box")
                        for name, text in ERRORS.items()}
     keys = ("label", "unit", "meaning")
     summary = {name: dict(zip(keys, description)) for name, description in names.items()}
@@ -111,18 +108,18 @@ def _about(run, place, bases, names):
 
 
 def worst(run):
-    """The run's error, and the size below which errors are not known."""
+    """The run's error, and the limit below which errors are not known."""
     name = next((name for name in ERRORS if run.get(name) not in (None, "inf")), None)
     if name is None:
         return {"label": "error", "text": "not known", "value": None}
     gap = run.get(name.replace("rms", "reference_gap"))
     return {"label": ERRORS[name], "value": 100 * run[name], "unit": "%",
             "note": f"errors below {number_text(100 * gap, 2)} % are not known" if gap else
-            "no bound is stated for it"}
+            "the exactness of the reference is not known"}
 
 
 def command(run):
-    """The command that repeats the run, or its whole sweep if the run's place on it is not known."""
+    """The command that repeats the run, or the whole sweep if the run's point of the sweep is not known."""
     config = config_of(run)
     if run["point"] is None:
         return f"./bendlab run configs/{config}.json"

@@ -1,4 +1,4 @@
-"""The axes of a sweep as charts and tables need them: labels of their values, scale, unit."""
+"""The axes of a sweep for charts and tables: texts of values, label, scale, unit."""
 import json
 from dataclasses import dataclass, field
 
@@ -28,17 +28,17 @@ class Axis:
 
     @property
     def short(self):
-        """The label where there is little room."""
+        """A short label."""
         return "cells" if self.pointer == CELLS else self.label
 
     @property
     def is_seed(self):
-        """Whether runs along it are repetitions, of which charts show the median and the range."""
+        """Whether the axis is an axis of seeds: charts show the median and the range over seeds."""
         return self.pointer.endswith("/seed")
 
     @property
     def models(self):
-        """The bending model of every value, None if it is no axis of models."""
+        """The bending model of every value, None if the axis is no axis of models."""
         if self.pointer == "/bending/model":
             return self.values
         if self.pointer == "/bending" and all(isinstance(v, dict) and "model" in v for v in self.values):
@@ -47,7 +47,7 @@ class Axis:
 
     @property
     def scale(self):
-        """How a chart draws it: band, linear, log or log2."""
+        """The scale of the axis in a chart: band, linear, log or log2."""
         if not self.numeric:
             return "band"
         if self.pointer == CELLS:
@@ -62,7 +62,7 @@ class Axis:
         return "log" if even or numbers[-1] / numbers[0] >= 8 else "linear"
 
     def place(self, run):
-        """The index of the run's value; None if the run's model does not have this axis."""
+        """The index of the run's value on this axis; None if the axis does not apply to the run's model."""
         if self.pointer not in run.point:
             return None
         return self.places.get(point_key({self.pointer: run.point[self.pointer]}))
@@ -79,7 +79,7 @@ def axes_of(sweep):
 
 
 def by_vertices(sweep, axis):
-    """An axis of meshes as an axis of their numbers of vertices if these all differ; else itself."""
+    """An axis of numbers of vertices, if `axis` has meshes with different numbers; otherwise `axis`."""
     if not axis.pointer.startswith(MESH) or axis.pointer == CELLS or axis.is_seed:
         return axis
     counts = [{run.summary["vertices"] for run in sweep.runs if axis.place(run) == place
@@ -99,7 +99,7 @@ def _axis(pointer, values, sweep):
 
 
 def _name(pointer, axes):
-    """The last part of a pointer, or as many of its last parts as tell it apart from the other axes."""
+    """The end of a pointer: as many of its last parts as needed to differ from all other axes."""
     parts = pointer.split("/")[1:]
     for count in range(1, len(parts) + 1):
         end = parts[-count:]
@@ -129,7 +129,7 @@ def _object_text(flat, differ):
 
 
 def value_text(value):
-    """A value as a short text; names are as the program writes them."""
+    """A value as a short text; a name stays unchanged."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, (int, float)):
@@ -147,7 +147,7 @@ def is_number(value):
 
 
 def label_of(run, axes):
-    """A run's place on the axes as text: 'adaptive, cells 64'. Only numbers have the name of their axis."""
+    """A run's values on the axes as text: 'adaptive, cells 64'. A number stands after the axis name."""
     parts = [axis.text(run) if axis.models or not axis.numeric else f"{axis.short} {axis.text(run)}"
              for axis in sorted(axes, key=lambda axis: axis.models is None) if axis.place(run) is not None]
     return ", ".join(parts) or run.name

@@ -1,6 +1,6 @@
-"""Reads runs as sweeps, from a sweep file, a folder of results, a run's folder, or a run file.
+"""Reads sweeps of runs, from a sweep file, a folder of results, a run's folder, or a run file.
 
-The axes of a sweep come from the file that `bendlab run` wrote, else from the places that the runs state.
+The axes of a sweep come from its sweep file (`bendlab run` writes it), or from the points in run files.
 """
 import json
 import sys
@@ -19,18 +19,18 @@ class Sweep:
     """Runs that belong together, including the missing runs."""
 
     name: str
-    source: Path  # what it was read from
+    source: Path  # the file or folder that was read
     runs: list  # with the status "missing" if there is no file, "unreadable" if it is damaged
     axes: dict = field(default_factory=dict)  # JSON pointer → values
     settings: dict = field(default_factory=dict)  # the config as written, {} if it is not known
     config: str = ""  # path of the config, "" if it is not known
     overrides: list = field(default_factory=list)  # what `--set` and `--sweep` changed in it
     notes: list = field(default_factory=list)  # sentences on what was left out
-    files: dict = field(default_factory=dict)  # run id → its file, if a copy of it was read
+    files: dict = field(default_factory=dict)  # run id → original file, if a copy was read
 
     @cached_property
     def meanings(self):
-        """Units and meanings of its numbers and settings."""
+        """Units and meanings of the sweep's metrics and settings."""
         return Meanings(self.runs)
 
     @property
@@ -38,12 +38,12 @@ class Sweep:
         return self.settings.get("description", "")
 
     def file_of(self, run):
-        """The run's file as commands name it."""
+        """The path of the run's file for commands."""
         return self.files.get(run.id, run.file)
 
 
 def collect(paths):
-    """The sweeps of these paths, each run once. ValueError names a path without runs."""
+    """The sweeps of these paths, with each run once. ValueError if a path has no runs."""
     sweeps = [sweep for path in paths for sweep in _at(Path(path))]
     seen = set()
     for sweep in sweeps:  # a trial may share runs with its config
@@ -72,8 +72,8 @@ def _at(path):
 
 
 def _run_files(folder):
-    """One file of every run below the folder: the finished file, else the newest unfinished file. Reference
-    runs are left out, unless `folder` is a folder of references."""
+    """One file of every run below the folder: the finished file, or else the newest unfinished file. Without
+    reference runs, except in a folder of references."""
     folders = {file.parent for file in sorted(folder.glob("**/run.vtkhdf*"))
                if file.suffix in (".vtkhdf", ".part")
                and "references" not in file.relative_to(folder).parts[:-1]}
@@ -81,7 +81,7 @@ def _run_files(folder):
 
 
 def _of_file(file, indices=None):
-    """The sweep of a sweep file."""
+    """The sweep that a sweep file describes, with its runs."""
     indices = indices or Indices(file.parent)
     data = json.loads(file.read_text(encoding="utf-8"))
     registry.learn(data["models"], data.get("methods", {}))
@@ -91,7 +91,7 @@ def _of_file(file, indices=None):
         path = file_in(file.parent / entry["folder"]) if entry["folder"] else None
         run = _read(path, indices) if path and path.exists() else None
         if run and run.status != "unreadable" and run.id != entry["id"]:
-            sweep.notes.append(f"{path} is left out: it is the file of another run, {run.id}")
+            sweep.notes.append(f"{path} is left out, because the file belongs to another run, {run.id}")
             run = None
         if run is None or run.status == "unreadable" or not run.frames:
             lost = run
@@ -105,7 +105,7 @@ def _of_file(file, indices=None):
 
 
 def _read(path, indices=None):
-    """The run of a file; one of the status "unreadable" if it is damaged."""
+    """The run in a file; a Run with the status "unreadable" if the file is damaged."""
     try:
         return indices.run(str(path)) if indices else load_run(path)
     except (OSError, KeyError, ValueError) as error:
@@ -115,8 +115,8 @@ def _read(path, indices=None):
 
 
 def _of_runs(source, runs):
-    """The sweep of runs without a sweep file. Its axes are those of the places that the runs state, or the
-    fewest settings that tell the runs apart."""
+    """The sweep of runs without a sweep file. The axes are the settings of the points in the run files;
+    without points, the fewest settings by which the runs differ."""
     if len(runs) > 1 and not any(run.point for run in runs):
         _find_places(runs)
     axes = {}
@@ -133,8 +133,8 @@ FIRST = ["/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps", 
 
 
 def _find_places(runs):
-    """Gives runs that do not state their places a place: the settings that tell the runs apart, the usual
-    settings first. A setting that follows from the settings before it is left out."""
+    """Gives points to runs whose files state no points: the settings by which the runs differ, usual settings
+    first. A setting is left out if the settings before it already separate the same runs."""
     flat = {run.id: flattened(run.config) for run in runs if run.config}
     texts = {pointer: {id: json.dumps(config.get(pointer)) for id, config in flat.items()}
              for pointer in dict.fromkeys(pointer for config in flat.values() for pointer in config)}
@@ -152,7 +152,7 @@ def _find_places(runs):
 
 
 def flattened(value, pointer=""):
-    """Pointer → value of everything in nested objects and lists; lists of numbers and texts stay whole."""
+    """JSON pointer → value, for values in nested objects and lists; lists of numbers and texts stay whole."""
     if isinstance(value, dict) and value:
         return {key: entry for name, below in value.items()
                 for key, entry in flattened(below, f"{pointer}/{name}").items()}
@@ -163,13 +163,13 @@ def flattened(value, pointer=""):
 
 
 def stated(settings, point):
-    """Pointer → value of a config as it is written, at a place on its sweep."""
+    """JSON pointer → value of the settings in a config as it is written, at a point of its sweep."""
     whole = settings_at(settings, point)
     return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
 
 
 def differing(base, own):
-    """Pointer → [value] where a config differs from a base; → None where the config lacks the setting."""
+    """Pointer → [value] of settings that differ from `base`, → None of settings that only `base` has."""
     changed = {pointer: [value] for pointer, value in own.items()
                if pointer not in base or json.dumps(base[pointer]) != json.dumps(value)}
     return changed | {pointer: None for pointer in base if pointer not in own}
@@ -181,12 +181,12 @@ def _in_order(values):
 
 
 def _note_unlisted(folder, sweeps):
-    """Adds a note on how many runs of a folder belong to none of its sweep files."""
+    """Adds a note: how many runs in the folder are in no sweep file."""
     known = {run.file.parent for sweep in sweeps for run in sweep.runs if run.file}
     unlisted = [file for file in _run_files(folder) if file.parent not in known]
     if unlisted and sweeps:
         count = "1 run" if len(unlisted) == 1 else f"{len(unlisted)} runs"
-        sweeps[0].notes.append(f"Left out of {folder}: {count} that no sweep file there lists, such as "
+        sweeps[0].notes.append(f"Left out of {folder}: {count} that no sweep file lists, for example "
                                f"{unlisted[0].parent.name}")
 
 

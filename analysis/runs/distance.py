@@ -14,14 +14,15 @@ def rms_distance(a, b):
 
 
 def hausdorff_distance(a, b):
-    """Largest distance from a vertex of either cloth to the nearest vertex of the other, in m. Exact for the
-    two sets of vertices; for the surfaces it is at most half a longest edge too large."""
+    """Largest distance from a vertex of either cloth to the nearest vertex of the other, in m. The distance
+    is exact for the vertices. For the surfaces, it is too large by at most half of the longest edge."""
     return max(_farthest(a, b), _farthest(b, a))
 
 
 def _farthest(a, b):
-    """Largest distance of a vertex of a to b. A few vertices of b give an upper bound for each vertex of a.
-    Vertices are then measured exactly, largest bound first, until no bound exceeds the largest distance."""
+    """Largest distance from a vertex of a to the nearest of b. A few vertices of b give an upper bound for
+    each vertex of a. Exact distances follow, largest bound first, until no bound exceeds the largest
+    distance."""
     bound = np.concatenate([_nearest(a[i:i + BLOCK], b[::16]) for i in range(0, len(a), BLOCK)])
     order = np.argsort(-bound)
     farthest = 0.0
@@ -50,8 +51,8 @@ def turned_onto(a, b, centre):
 
 
 def at_rest(run, other, where=slice(None)):
-    """RMS distance of two runs' last frames in sizes of the sheet, the first turned about the vertical
-    through its pins: how a sheet happens to face is not its shape. `where`: the vertices that count."""
+    """RMS distance of the last frames of two runs, in sizes of the sheet, after the best turn about the
+    vertical through the pins, because only the shape counts. `where`: the compared vertices."""
     a, b = run.positions(-1), other.positions(-1)
     seeds = run.pin_seeds
     centre = a[seeds].mean(axis=0) if len(seeds) else a.mean(axis=0)
@@ -59,18 +60,19 @@ def at_rest(run, other, where=slice(None)):
 
 
 def in_first_second(run, other, where=slice(None)):
-    """Mean over the frames of the first second of the RMS distance at equal times, in sizes of the sheet."""
+    """RMS distance of two runs at equal times, in sizes of the sheet; mean over the first second."""
     frames = [f for f, t in enumerate(run.metrics["time"]) if 0 < t <= 1 + 1e-9]
     return float(np.mean([rms_distance(run.positions(f)[where], other.positions(f)[where])
                           for f in frames])) / run.size
 
 
 def between_runs(runs, other_runs):
-    """(RMS, Hausdorff) spreads in sizes of the sheet, over all pairs of a run of each group that have
-    different seeds.
+    """(RMS, Hausdorff) distances as spreads, in sizes of the sheet, over all pairs of one run from each group
+    with different seeds.
 
-    RMS is the median over the last second, Hausdorff is of the last frame. Given the same group twice, the
-    result is the distance between two runs of one scene: the yardstick for chaotic sheets.
+    RMS is the median over the last second; Hausdorff is from the last frame. With the same group twice, the
+    result is the distance between two runs of one scene, with which other distances of chaotic sheets are
+    compared.
     """
     rms, hausdorff = [], []
     for i, a in enumerate(runs):

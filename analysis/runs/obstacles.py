@@ -3,8 +3,8 @@ import numpy as np
 
 
 def surfaces(run, time):
-    """(P, 3) points and (T, 3) triangles of all obstacles of a run at a time in s. Level planes are left out:
-    they are the floor (floor_of)."""
+    """(P, 3) points and (T, 3) triangles of all obstacles of a run at a time in s. Horizontal planes are left
+    out, because the highest of them is drawn as the floor (floor_of)."""
     points, triangles = [np.empty((0, 3))], [np.empty((0, 3), int)]
     for at_start, corners, velocity in drawn(run).values():
         triangles.append(corners + sum(map(len, points)))
@@ -13,13 +13,13 @@ def surfaces(run, time):
 
 
 def drawn(run):
-    """run.obstacles without level planes."""
+    """run.obstacles without horizontal planes."""
     effects = run.get("/effects", [])
     return {index: surface for index, surface in run.obstacles.items() if not _level(effects[index])}
 
 
 def are_unknown(run):
-    """Whether a run has obstacles that its file lacks, because an older program wrote it."""
+    """Whether a run's file, from an older program, lacks the surfaces of the run's obstacles."""
     return not run.obstacles and any({"velocity", "thickness"} <= effect.keys() and not _level(effect)
                                      for effect in run.get("/effects", []))
 
@@ -71,12 +71,12 @@ def _off_capsule(effect, points):
     return _off_segment(effect, points, _vector(effect, "a"), _vector(effect, "b"))
 
 
-# Shapes whose distance has a formula. The distance of other obstacles is measured from their surface.
+# Shapes with a formula for the distance. For other obstacles, the distance is measured from the surface.
 DISTANCES = {"plane": _off_plane, "sphere": _off_sphere, "capsule": _off_capsule, "disc": _off_disc}
 
 
 def _off_mesh(points, corners, triangles):
-    """Smallest distance of points (n, 3) from a mesh; minus the depth of the deepest if inside."""
+    """Smallest distance of points (n, 3) from a mesh; if points are inside, minus the largest depth."""
     points, faces = points[np.argsort(points[:, 0])], corners[triangles]
     within = points[_within(points, faces)] if _is_closed(triangles) else points[:0]
     if len(within):
@@ -115,8 +115,8 @@ def _from_triangle(points, corners):
 
 
 def _within(points, faces):
-    """Which points (n, 3), sorted by x, are inside a closed surface: those whose ray upwards crosses it an
-    odd number of times."""
+    """Whether each of the points (n, 3), sorted by x, is inside a closed surface: a ray upwards from the
+    point crosses the surface an odd number of times."""
     odd, bottom = np.zeros(len(points), bool), faces[..., 2].min()
     for face in faces:
         (left, front, _), (right, back, top) = face.min(axis=0), face.max(axis=0)
@@ -127,8 +127,8 @@ def _within(points, faces):
 
 
 def _passes(points, face):
-    """Whether rays upwards from points (n, 3) meet a triangle; of two triangles at an edge exactly one is
-    met."""
+    """Whether rays upwards from points (n, 3) cross a triangle. A ray through an edge crosses exactly one of
+    the edge's two triangles."""
     x, y, _ = points.T
     normal = np.cross(face[1] - face[0], face[2] - face[0])
     over = np.zeros(len(points), bool)
@@ -141,7 +141,7 @@ def _passes(points, face):
 
 
 def floor_of(config):
-    """Height of the highest level plane, None if there is none."""
+    """Height of the highest horizontal plane, or None."""
     return max((effect["point"][2] for effect in config.get("effects", []) if _level(effect)), default=None)
 
 

@@ -1,8 +1,8 @@
-"""The plain matrix: its varied settings, and bounds that any correct cloth keeps in each of its scenes.
+"""The plain matrix (simple scenes): its varied settings, and bounds that are true for any correct cloth.
 
-The bounds are checked here on the recorded frames. The program's own verdict is not used, because the bounds
-test it: a run that breaks a bound without a warning is wrong in silence. Lengths are in sizes (diagonal of
-the rest box).
+The bounds are checked on the recorded frames. The program's own verdict is not used, because the bounds test
+the verdict: no run should break a bound without a warning. Lengths are in sizes: a size is the diagonal of
+the rest box.
 """
 import json
 from dataclasses import dataclass, field
@@ -19,21 +19,21 @@ TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 SOUND, TOLD, SILENT, ALARM = "sound", "told", "silent", "false alarm"
 
 FALL = 1e-3  # share of the distance that a cloth without pins falls
-# Strain. Woven cloth yields by about a tenth before it resists (Provot 1995); cloth in this matrix is stated
-# not to stretch
+# Strain. Woven cloth stretches by a tenth before it resists (Provot 1995); cloth here is stated not to
+# stretch
 WAY = 0.1
 NEAR = 0.02  # sizes; allowed in addition to WAY, for the few triangles at a pin
 MEAN_STRAIN = 0.1  # the same as WAY
 STRETCH = 3.0  # of one triangle; at a single pinned vertex the paper's scene briefly has 2.2
-# Times v0 + g t, 16 times the energy of a free fall. The end of a whipping cloth is faster than a free fall:
-# 3.1 for a sheet 4 m long that hangs from its top edge (symmetric sweep, mean strain 4e-4).
+# Times v0 + g t; at this limit, the energy is 16 times the energy of a free fall. The free end of a swinging
+# cloth can be faster: 3.1 times for a sheet 4 m long that hangs from its top edge (symmetric sweep, mean
+# strain 4e-4).
 SPEED = 4.0
-# Share of the scale (kinetic energy at the start, plus weight times size); forward sweeps add a little
-# (design.md)
+# Share of the scale (kinetic energy at the start plus weight times size); forward sweeps add a little energy
 ENERGY = 0.02
-# Share of the duration; the last step may end beside it, a run that diverges stops much earlier
+# Share of the duration; the last step may end slightly earlier, but a run that diverges stops much earlier
 UNFINISHED = 0.05
-ROUNDING = 1e-6  # sizes; rounding error of a coordinate in single precision, some sizes from the middle
+ROUNDING = 1e-6  # sizes; rounding error of a coordinate in single precision, some sizes from the origin
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ class Judged:
                 "command": self.command}
 
 
-# The axes: a name, and the text of a value from a resolved config.
+# The axes: a name → a function that gives the value as text, from a resolved config.
 
 def _mesh(config):
     mesh = config["mesh"]
@@ -107,8 +107,8 @@ def _pins(config):
 
 
 def _bending(config):
-    """Stiffness in metres. A scale s multiplies compliances of springs by s⁻² and of hinges by s⁻⁴
-    (configs/plain)."""
+    """The stiffness as text, converted to metres. On a mesh scaled by s, a config has the compliances of
+    springs times s⁻² and of hinges times s⁻⁴ (configs/plain)."""
     bending, scale = config["bending"], config["mesh"]["scale"]
     if bending["stiffness"] == "physical":
         return f"physical {bending['flexural_rigidity'] / scale ** 4:g}"
@@ -126,7 +126,7 @@ def _start(config):
             30: "tilted, thrown"}.get(initial["tilt"], f"tilt {initial['tilt']:g}")
 
 
-NOT_READ = "not read"  # an unread setting: the method of the run has no use for it, and its config lacks it
+NOT_READ = "not read"  # an unread setting: the run's method does not use it, and the run's config lacks it
 
 AXES = {
     "method": lambda config: method_name(config["solver"]),
@@ -155,7 +155,6 @@ def settings_of(config):
 
 
 def command_of(config_name, point):
-    """The command that repeats the run at a point of a sweep."""
     parts = [
         f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
         for pointer, value in point.items()]
@@ -207,7 +206,7 @@ def bounds_of(run):
     bounds = [Bound("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED,
                     "of the run"),
               Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
-    if not registry.is_prestressed(run.model) and len(scene.time) > 1:  # they push from the start
+    if not registry.is_prestressed(run.model) and len(scene.time) > 1:  # such springs push at once
         bounds += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"),
                    Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
     if len(scene.pins):
@@ -221,7 +220,7 @@ def bounds_of(run):
 
 
 def strains(scene):
-    """(mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁); each is the maximum over all frames."""
+    """(mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁); both are maxima over all frames."""
     corners = scene.rest[scene.triangles]
     edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)  # (T, 3, 2)
     x = edges[:, :, 0] / np.linalg.norm(edges[:, :, 0], axis=1)[:, None]
@@ -243,17 +242,17 @@ def strains(scene):
 
 
 def speed(scene):
-    """Largest mean speed between two frames, over the largest speed at the start plus g t."""
+    """Largest mean speed of a vertex between two frames, over the largest speed at the start plus g t."""
     steps = np.linalg.norm(np.diff(scene.frames, axis=0), axis=2).max(axis=1) / np.diff(scene.time)
     start = np.linalg.norm(scene.velocity, axis=1).max()
     return float((steps / (start + np.linalg.norm(scene.gravity) * scene.time[1:])).max())
 
 
 def energy_gain(scene):
-    """Rise of kinetic energy and energy of weight above the start, over the scale.
+    """Rise of kinetic plus potential energy above the start, over the scale of energy (see ENERGY).
 
-    It is a lower bound of the rise of all energy: speeds between frames are means, and elastic energy is 0 at
-    the start and positive later.
+    The rise of all energy is at least as large: speeds between frames are means, and the elastic energy is 0
+    at the start and positive later.
     """
     weight = np.linalg.norm(scene.gravity)
     height = -(scene.frames @ scene.gravity) @ scene.mass
@@ -264,7 +263,7 @@ def energy_gain(scene):
 
 
 def beyond_reach(scene):
-    """Largest distance of a vertex from its nearest pin, minus 1 + WAY paths along edges, in sizes."""
+    """Largest distance of a vertex from its pin, minus (1 + WAY) times the path along edges, in sizes."""
     way, pin = ways_from(scene)
     reached = (way < np.inf) & ~scene.run.pinned
     distance = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2)
@@ -272,7 +271,7 @@ def beyond_reach(scene):
 
 
 def ways_from(scene):
-    """(V) length of the shortest path along edges to a pin, and that pin; relaxed until nothing changes."""
+    """(V) length of the shortest path along edges to a pin, and (V) index of this pin."""
     edges = np.sort(scene.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     edges = np.unique(edges, axis=0)
     edges = np.concatenate([edges, edges[:, ::-1]])
@@ -289,7 +288,7 @@ def ways_from(scene):
 
 
 def fall_error(scene):
-    """Distance of the centre of mass from a free fall in steps of h, over the fall."""
+    """Largest distance of the centre of mass from a free fall in steps of h, over the length of the fall."""
     centre = np.einsum("fvi,v->fi", scene.frames, scene.mass)
     t = scene.time[:, None]
     exact = centre[0] + t * (scene.mass @ scene.velocity) + fallen(t, scene.h,
@@ -299,8 +298,8 @@ def fall_error(scene):
 
 
 def fallen(t, h, second_order):
-    """Length of a free fall from rest at time t, over g, exact in steps of h. Backward Euler is ahead of t² /
-    2 by h t / 2; BDF2, whose first step is one of backward Euler, by 3/4 h² in the end."""
+    """Length of a free fall from rest after time t, over g, in exact steps of h. Backward Euler falls farther
+    than t² / 2 by h t / 2. BDF2 with a first step of backward Euler falls farther by up to 3/4 h²."""
     ahead = 0.75 * h ** 2 * (1 - 3.0 ** (-t / h)) if second_order else h * t / 2
     return t ** 2 / 2 + ahead
 
@@ -311,7 +310,7 @@ NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings that have n
 
 
 def told_by(run):
-    """The program's report on a run: its status if it went wrong, or its warnings; "" for neither."""
+    """What the program reports on a run: the status implausible or diverged, or the warnings, or ""."""
     if run.status in ("implausible", "diverged"):
         return run.status
     return ", ".join(dict.fromkeys(warning["code"] for warning in run.warnings

@@ -7,7 +7,7 @@ from runs.sweeps import planned_points, point_key, read_config
 
 
 def commands(runs):
-    """The fewest `bendlab run` commands whose sweeps are exactly these runs."""
+    """The fewest `bendlab run` commands that compute exactly these runs."""
     lines = []
     for config, own_runs in group(runs, lambda run: run.experiment).items():
         settings = read_config(config)
@@ -18,7 +18,7 @@ def commands(runs):
 
 
 def command(config, point, axes=None, overrides=()):
-    """The `bendlab run` command of one run, from its config's path, its place, and texts of `--set`."""
+    """The `bendlab run` command of a run, from the config's path, point of the sweep, and `--set` texts."""
     axes = axes or {pointer: [value] for pointer, value in point.items()}
     chosen = {pointer: [value] for pointer, value in point.items()}
     options = [f"--set {shlex.quote(text)}" for text in overrides
@@ -27,7 +27,7 @@ def command(config, point, axes=None, overrides=()):
 
 
 def runs_of(line):
-    """(config below configs/, places on its sweep) of the runs that a command computes."""
+    """(config below configs/, points of its sweep) of the runs that a command computes."""
     words = shlex.split(line)
     config = words[2].removeprefix("configs/").removesuffix(".json")
     settings = read_config(config)
@@ -51,7 +51,7 @@ def _chosen_axes(settings, points):
     """The fewest sweeps that have exactly these points: list of pointer → values.
 
     The axes are narrowed to the values that the points use. If the narrowed axes have further points, the
-    points are divided by their values on one axis: the axis that leads to the fewest sweeps.
+    wanted points are divided by their values on one axis, which is the axis that leads to the fewest sweeps.
     """
     wanted = {point_key(point) for point in points}
     narrow = {pointer: _used(pointer, values, points) for pointer, values in settings["sweep"].items()}

@@ -1,4 +1,4 @@
-"""The hard cases: their runs, the undisturbed runs they are compared with, and the rules for passing."""
+"""The hard cases: their runs, the undisturbed runs for comparison, and the rules for passing."""
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -8,16 +8,16 @@ from bendlab.results import registry
 GREEN, AMBER, RED = "green", "amber", "red"
 FOLDER = "stability"  # below configs/
 METHODS = "methods"  # below configs/: a part of the cases, with other solver methods
-BY_NEWTON = "_newton_slow"  # end of the name of a config there whose runs take long
+BY_NEWTON = "_newton_slow"  # end of the names of configs in that folder whose runs take long
 
-# Lengths in sizes (diagonal of the rest box). Reach: largest distance of a vertex from the cloth's middle.
+# Lengths are in sizes (diagonals of the rest box). Reach: largest distance of a vertex from the centre.
 NEAR = 0.01  # RMS distance from the rest shape; a cloth that is nearer has recovered
-NOT_BACK = 0.05  # largest limit of that distance, also if the undisturbed run ends farther away
+NOT_BACK = 0.05  # largest limit of this distance, even if the undisturbed run ends farther away
 APART = 5.0  # times the reach at the start (at least a size); a cloth with a larger reach has flown apart
 FAR = 2.0  # largest reach at the end; at rest it is half a size
-STRAIN_FLOOR, STRAIN_CEILING = 0.01, 0.1  # the undisturbed run's mean strain is raised or lowered to these
+STRAIN_FLOOR, STRAIN_CEILING = 0.01, 0.1  # range to which the undisturbed run's mean strain is clamped
 ENERGY = 1e-3  # share of the energy scale
-CREEP = 1e-3  # in the second half of ten minutes
+CREEP = 1e-3  # sizes; motion in the second half of ten minutes
 MOMENTUM = 8  # times the random walk of rounding errors
 
 
@@ -31,29 +31,29 @@ class Case:
     where: dict  # swept pointer → value
     control: dict
     recovers: bool = True  # whether the rest shape can be reached
-    # whether energy is checked: nothing drives the cloth, and all of its energy is known
+    # whether energy is checked: nothing adds energy to the cloth, and the whole energy is known
     energy: bool = False
     creep: bool = False
-    control_config: str = ""  # config of the undisturbed runs, if another
+    control_config: str = ""  # config of the undisturbed runs, if not `config`
 
     @property
     def rule(self):
         """The rule for green, as text."""
-        parts = [f"mean strain at most twice the undisturbed run's (clamped to {STRAIN_FLOOR:g} to "
-                 f"{STRAIN_CEILING:g})"]
+        parts = ["mean strain at most twice the mean strain of the undisturbed run (clamped to "
+                 f"{STRAIN_FLOOR:g} to {STRAIN_CEILING:g})"]
         if self.recovers:
             parts.append(f"RMS distance from the rest shape below {100 * NEAR:g} % of the size or twice the "
-                         "undisturbed run's")
+                         "distance in the undisturbed run")
         if self.energy:
-            parts.append("energy never above its start")
+            parts.append("energy never above its value at the start")
         if self.creep:
-            parts.append(f"moves less than {CREEP:g} sizes in the second half")
+            parts.append(f"moves less than {CREEP:g} sizes in the second half of the run")
         return ", ".join(parts)
 
 
 @dataclass
 class Criterion:
-    """A number and its limit; `severity` is the verdict if the number exceeds it."""
+    """A number and its limit; `severity` is the verdict if the number exceeds the limit."""
 
     name: str
     value: float
@@ -75,7 +75,7 @@ class Criterion:
 
 @dataclass
 class Cell:
-    """One run of a case, judged."""
+    """One run of a case, with its verdict."""
 
     case: Case
     run: object
@@ -121,13 +121,12 @@ def criteria(run, control, case):
 
 
 def energy_known(run):
-    """Whether all energy is known. k states no energy, so prestressed springs hide some."""
+    """Whether all energy is known: prestressed springs with a stiffness k store an unknown energy."""
     hidden = registry.is_prestressed(run.model) and run.get("/bending/stiffness") == "k"
     return "stability_energy_gain" in run.summary and not hidden
 
 
 def judge(run, control, case):
-    """Judges a run by the criteria of its case."""
     if not run.complete:
         time = float(run.metrics["time"][-1])
         return Cell(case, run, RED, Criterion(f"{run.status} after", time, 0.0, "s", RED))
@@ -263,7 +262,7 @@ CASES = [case for cases in SECTIONS.values() for case in cases]
 
 
 def _by_methods(case):
-    """The case as the two configs of configs/methods have it. Their sheet has 16 columns."""
+    """The same case in two configs of configs/methods, whose sheets have 16 columns."""
     where = {"/initial": {"creases": 15}} if case.name == "start: creased" else case.where
     return [replace(case, config=case.config + end, where=where) for end in ("", BY_NEWTON)]
 

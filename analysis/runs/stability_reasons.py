@@ -1,9 +1,9 @@
-"""Why a cell is not green: measured causes, each with the number that shows it in the run at hand.
+"""Why a cell of the matrix is not green: measured causes, with the metrics of a run that show the cause.
 
-A place <quantity|case|models|change> in a text is filled in with numbers of runs in double precision: of this
-page, or with a changed setting those in apart.json, which experiments/measure_remedies.py measures; the page
-prints the command that repeats them behind the text. Distances and motions are root mean squares after
-alignment, in sizes.
+In a text, <quantity|case|models|change> stands for numbers of runs in double precision. Without a change, the
+numbers are from runs of this page. With a change of a setting, the numbers are from apart.json, which
+experiments/measure_remedies.py writes, and the page adds the commands that repeat these runs. Distances and
+motions are root mean squares after alignment, in sizes (diagonals of the rest box).
 """
 import json
 import re
@@ -22,12 +22,14 @@ FREE = ("meshes", "order", "units", "rings", "flaws")  # sheets stretched by hal
 
 ROUNDS = ("Ten iterations per step do not spread corrections through the whole sheet. Mean strain with 10 → "
           "100 iterations: ")
-CUT = "Mean strain if a step's forces may deform a triangle by 5 % → 1 % (/solver/flight_limit): "
+CUT = ("Mean strain if a step's forces may deform a triangle by at most 5 % → 1 % (/solver/flight_limit): ")
 IN_PARTS = "Ten iterations per part of a step do not spread corrections through the whole sheet. " + CUT
-UNFELT = ("The strain does not depend on a fold, so nothing opens it. After 60 s a creased sheet moves "
-          "<moved|start: creased|none|minute> sizes in 10 s")
+UNFELT = ("Without bending, no energy depends on a fold, so no force opens the fold. From 50 s to 60 s a "
+          "creased sheet moves <moved|start: creased|none|minute> sizes")
+STILL_MOVES = ("The distance from the rest shape is <away> sizes after 6 s and <away|||minute> sizes after "
+               "60 s. From 50 s to 60 s the cloth moves <moved|||minute> sizes")
 PLACE = re.compile(r"<(\w+)(?:\|([^|>]*))?(?:\|([^|>]*))?(?:\|([^|>]*))?>")
-# The changed settings that a place names.
+# Name of a change → changed settings.
 CHANGES = {**{str(n): {"/solver/iterations": n} for n in (10, 20, 100, 1000)}, "minute": {"/duration": 60},
            "flight": {"/solver/flight_limit": 0.01}, "angle": {"/material/strain/form": "angle"},
            **{f"ratio {n}": {"/mesh/cells": 32, "/material/density_ratio": n} for n in (1, 10, 100, 1000)},
@@ -37,7 +39,7 @@ APART = Path(__file__).resolve().parents[2] / "results/stability/apart.json"
 
 @dataclass(frozen=True)
 class Reason:
-    """A cause: cases (beginnings of names) and models it may hold for, and what a run's numbers must show."""
+    """A cause, with the possible cases (beginnings of names) and models, and a test of a run's metrics."""
 
     cases: tuple
     models: tuple  # empty: all
@@ -46,7 +48,7 @@ class Reason:
 
     @property
     def apart(self):
-        """[(config, name of a change)] of the numbers in the text that are not from this page."""
+        """[(config, name of a change)] of the runs in the text that are not from this page."""
         found = [(case or beginning, change) for _, case, _, change in PLACE.findall(self.text) if change
                  for beginning in ([case] if case else self.cases)]
         return list(dict.fromkeys((case.config, change) for beginning, change in found for case in CASES
@@ -96,7 +98,7 @@ def flawed_strain(run):
 
 
 def moved(run):
-    """How far the cloth moved in the last 10 s, after a turn about the vertical, in sizes."""
+    """How far the cloth moved in the last 10 s of a run, after a turn about the vertical, in sizes."""
     times = run.metrics["time"]
     before = run.positions(int(np.argmin(np.abs(times - (times[-1] - 10)))))
     middle = lambda cloth: cloth - cloth.mean(axis=0)
@@ -105,7 +107,7 @@ def moved(run):
 
 
 def _pairs(quantity, change, *models, case=""):
-    """'page → changed (model)' of several models, as places."""
+    """Text with placeholders, for each model: number of this page → number with the change (model)."""
     return ", ".join(f"<{quantity}|{case}|{model}> → <{quantity}|{case}|{model}|{change}> ({model})"
                      for model in models)
 
@@ -128,10 +130,10 @@ LOADS = [
     Reason(("pins: two",), (), _strained, ROUNDS + _pairs("strain", "100", "dihedral", "none")),
     Reason(("pins: side",), (), _strained, ROUNDS + _pairs("strain", "100", "dihedral", "none")),
     Reason(("published",), (), _drawn_out,
-           "The projection of the published shear throws triangles that ten iterations leave stretched. "
-           "Mean strain of dihedral on two corners: <strain|published: two|dihedral>; "
-           "<strain|published: two|dihedral|angle> with the shear as an angle; "
-           "<strain|published: two|dihedral|100> with a hundred iterations"),
+           "Ten iterations leave triangles stretched, and then the projection of the published shear moves "
+           "vertices too far. Mean strain of dihedral on two corners: <strain|published: two|dihedral>; "
+           "<strain|published: two|dihedral|angle> with the shear as an angle; <strain|published: "
+           "two|dihedral|100> with a hundred iterations"),
     Reason(("published",), (), _strained,
            ROUNDS + "<strain|published: two|dihedral> → <strain|published: two|dihedral|100> (dihedral, two "
            "corners), <strain|published: one|dihedral> → <strain|published: one|dihedral|100> (dihedral, one "
@@ -144,9 +146,9 @@ LOADS = [
     Reason(("mass_hanging",), (), _strained,
            "A projection moves only the light end of an edge, and the heavy half falls freely. The ratio of "
            "masses matters, not the number of iterations. Mean strain at ratios of 1, 10, 100 and 1000: "
-           "<strain||none|ratio 1>, <strain||none|ratio 10>, <strain||none|ratio 100>, "
-           "<strain||none|ratio 1000>; at 10⁶: <strain||none|32 cells> with ten iterations, "
-           "<strain||none|32 cells, 1000> with a thousand (none, 32 × 32 cells)"),
+           "<strain||none|ratio 1>, <strain||none|ratio 10>, <strain||none|ratio 100>, <strain||none|ratio "
+           "1000>; at 10⁶: <strain||none|32 cells> with ten iterations, <strain||none|32 cells, 1000> with a "
+           "thousand (model none, 32 × 32 cells)"),
 ]
 
 STEPS = [
@@ -169,85 +171,86 @@ STEPS = [
 
 SHAPES = [
     Reason(("flaws: needles", "flaws: caps"), (), _strained,
-           "The flawed triangles, <flawed> % of all, have <flawed_strain> % of the sum of σ₁ − 1 in the "
-           "last frame: a displacement that strains the other triangles by 0.001 strains these by 1"),
+           "<flawed> % of all triangles are flawed and have <flawed_strain> % of the sum of σ₁ − 1 in the "
+           "last frame: a displacement that strains other triangles by 0.001 strains a flawed triangle by 1"),
     Reason(("curved: mirrored",), (), _rests_elsewhere,
-           "A mirror image has the same lengths and unsigned angles and is also at rest. After 60 s its "
-           "strain is <strain|||minute>, and in 10 s it moves <moved|||minute> sizes"),
+           "The mirror image of a tube has the same lengths and unsigned angles, and is also at rest. After "
+           "60 s the strain is <strain|||minute>. From 50 s to 60 s the tube moves <moved|||minute> sizes"),
     Reason(("curved: mirrored",), (), _away,
-           "The tube turned inside out is in another equilibrium. After 60 s it is <away|||minute> sizes "
-           "from rest, after 6 s <away>, with a strain of <strain|||minute>; in 10 s it moves "
-           "<moved|||minute> sizes"),
+           "The tube is turned inside out, in another equilibrium. After 60 s the tube is <away|||minute> "
+           "sizes from its rest shape (after 6 s <away>), with a strain of <strain|||minute>. From 50 s to "
+           "60 s the tube moves <moved|||minute> sizes"),
     Reason(("curved",), ("isometric",), _away,
-           "The tube unfolds inside out, into its mirror image, which is also at rest. After 60 s it is "
-           "<away|||minute> sizes from rest, with a strain of <strain|||minute>"),
+           "The tube unfolds inside out, into its mirror image, which is also at rest. After 60 s the tube "
+           "is <away|||minute> sizes from its rest shape, with a strain of <strain|||minute>"),
     Reason(("curved",), ("none",), _folded, UNFELT),
     Reason(("curved",), (), _folded,
-           "Shut folds hardly open. Of the tube scaled by −0.1, <shut|curved: inverted|adaptive> % of the "
-           "hinges are shut after 6 s, <shut|curved: inverted|adaptive|minute> % after 60 s (adaptive)"),
+           "Shut folds (above 170°) hardly open. In the tube scaled by −0.1, <shut|curved: "
+           "inverted|adaptive> % of the hinges are shut after 6 s, <shut|curved: inverted|adaptive|minute> % "
+           "after 60 s (adaptive)"),
     Reason(("curved",), (), _away,
-           "The tube comes to rest in another shape. After 6 s it is <away||crossover dihedral> sizes from "
-           "rest, after 60 s <away||crossover dihedral|minute> (crossover and dihedral), and in 10 s it "
-           "moves <moved||crossover dihedral|minute> sizes"),
+           "The tube comes to rest in another shape. The distance from the rest shape is <away||crossover "
+           "dihedral> sizes after 6 s and <away||crossover dihedral|minute> sizes after 60 s (crossover and "
+           "dihedral). From 50 s to 60 s the tube moves <moved||crossover dihedral|minute> sizes"),
 ]
 
 STARTS = [
     Reason(("start: stretched",), ("isometric",), _strained,
-           "The sheet is on its way back. It is <away|start: stretched|isometric> sizes from rest after 6 s, "
-           "and below 0.01 from <back|start: stretched|isometric|minute> s on"),
+           "The sheet is still returning to its rest shape. The distance from the rest shape is <away|start: "
+           "stretched|isometric> sizes after 6 s, and below 0.01 sizes after <back|start: "
+           "stretched|isometric|minute> s"),
     Reason(("start: stretched",), (), _drawn_out,
-           "Ten iterations per step do not spread corrections through the whole sheet. With twenty it is "
-           "back after <back|start: stretched|dihedral none|20> s. Mean strain with 10 → 20 iterations: "
+           "Ten iterations per step do not spread corrections through the whole sheet. With twenty "
+           "iterations, the sheet has recovered after <back|start: stretched|dihedral none|20> s. Mean "
+           "strain with 10 → 20 iterations: "
            + _pairs("strain", "20", "dihedral", "none", case="start: stretched")),
     Reason(("start: stretched",), (), _slow,
-           "The sheet is on its way back: mean strain <strain|start: stretched|adaptive> after 6 s, "
-           "<strain|start: stretched|adaptive|minute> after 60 s (adaptive)"),
+           "The sheet is still returning to its rest shape: mean strain <strain|start: stretched|adaptive> "
+           "after 6 s, <strain|start: stretched|adaptive|minute> after 60 s (adaptive)"),
     Reason(("start",), ("none",), _folded, UNFELT),
     Reason(("start: random",), (), _folded,
-           "Shut folds do not open. From a box of the sheet's size, <shut|start: random|adaptive> % of the "
-           "hinges are shut after 6 s, <shut|start: random|adaptive|minute> % after 60 s (adaptive)"),
+           "Shut folds (above 170°) do not open. In a sheet that starts at random in a box of its size, "
+           "<shut|start: random|adaptive> % of the hinges are shut after 6 s, <shut|start: "
+           "random|adaptive|minute> % after 60 s (adaptive)"),
     Reason(("start",), ("isometric",), _folded,
-           "The moment is proportional to sin θ and vanishes at 180°, so that shut folds stay. After 60 s a "
-           "collapsed sheet moves <moved|start: point|isometric|minute> sizes in 10 s"),
+           "The bending moment is proportional to sin θ, which is zero at 180°, so that shut folds stay "
+           "shut. From 50 s to 60 s a collapsed sheet moves <moved|start: point|isometric|minute> sizes"),
     Reason(("start",), (), _folded,
-           "Shut folds lock. After 60 s a collapsed sheet moves <moved|start: point|crossover|minute> sizes "
-           "in 10 s (crossover). A hundred iterations per step do not open creases: "
-           + _pairs("away", "100", "crossover", case="start: creased") + ", in sizes from rest"),
+           "Shut folds (above 170°) do not open. From 50 s to 60 s a collapsed sheet moves <moved|start: "
+           "point|crossover|minute> sizes (crossover). A hundred iterations per step do not open creases. "
+           "Distance from the rest shape with 10 → 100 iterations, in sizes: "
+           + _pairs("away", "100", "crossover", case="start: creased")),
     Reason(("start: random 10",), (), _away,
-           "The sheet swings, and nothing damps it. After 6 s it is <away> sizes from rest, after 60 s "
-           "<away|||minute>, and then it moves <moved|||minute> sizes in 10 s"),
+           "The sheet swings, because nothing damps it. " + STILL_MOVES),
     Reason(("start: random",), ("isometric",), _away,
-           "The sheet is on its way back: <away> sizes from rest after 6 s, <away|||minute> after 60 s"),
+           "The sheet is still returning to its rest shape. The distance from the rest shape is <away> sizes "
+           "after 6 s and <away|||minute> sizes after 60 s"),
     Reason(("start: random",), (), _away,
-           "The sheet stays crumpled. After 6 s it is <away> sizes from rest, after 60 s <away|||minute>, "
-           "with a hundred iterations <away|||100>"),
+           "The sheet stays crumpled. The distance from the rest shape is <away> sizes after 6 s, "
+           "<away|||minute> sizes after 60 s, and <away|||100> sizes with a hundred iterations"),
     Reason(("start",), (), _away,
-           "The folds open, but the sheet comes to rest crumpled. After 6 s it is <away> sizes from rest, "
-           "after 60 s <away|||minute>, and in 10 s it moves <moved|||minute> sizes"),
+           "The folds open, but the sheet comes to rest crumpled. " + STILL_MOVES),
 ]
 
 SHEETS = [
     Reason(("meshes: ball", "rings_across: ball"), (), _away,
-           "Dents stay: the dented ball is another equilibrium. After 6 s it is <away> sizes from rest, "
-           "after 60 s <away|||minute>, and in 10 s it moves <moved|||minute> sizes"),
+           "Dents stay, because the dented ball is in another equilibrium. " + STILL_MOVES),
     Reason(("mass: free",), (), _away,
-           "The sheet swings, and nothing damps it. After 6 s it is <away> sizes from rest, after 60 s "
-           "<away|||minute>, and then it moves <moved|||minute> sizes in 10 s"),
+           "The sheet swings, because nothing damps it. " + STILL_MOVES),
     Reason(("meshes: strip",), (), _away,
-           "The strip swings, and nothing damps it. After 6 s it is <away> sizes from rest, after 60 s "
-           "<away|||minute>, and then it moves <moved|||minute> sizes in 10 s"),
+           "The strip swings, because nothing damps it. " + STILL_MOVES),
     Reason(FREE, ("isometric",), _away,
-           "The sheet swings on its way back. The plain grid is below 0.01 from "
-           "<back|meshes: grid|isometric|minute> s on"),
+           "The sheet swings while it returns to its rest shape. The plain grid is nearer to the rest shape "
+           "than 0.01 sizes after <back|meshes: grid|isometric|minute> s"),
     Reason(FREE, ("crossover", "k_ring", "sparse_lod"), _away,
-           "The sheet swings, and nothing damps it. The plain grid is "
-           "<away|meshes: grid|crossover k_ring sparse_lod> sizes from rest after 6 s, "
-           "<away|meshes: grid|crossover k_ring sparse_lod|minute> after 60 s, and then it moves "
-           "<moved|meshes: grid|crossover k_ring sparse_lod|minute> sizes in 10 s"),
+           "The sheet swings, because nothing damps it. The plain grid is <away|meshes: grid|crossover "
+           "k_ring sparse_lod> sizes from its rest shape after 6 s and <away|meshes: grid|crossover k_ring "
+           "sparse_lod|minute> sizes after 60 s. From 50 s to 60 s the grid moves <moved|meshes: "
+           "grid|crossover k_ring sparse_lod|minute> sizes"),
     Reason(FREE, (), _away,
-           "The sheet comes to rest in another shape. After 6 → 60 s the plain grid is so many sizes from "
-           "rest: " + _pairs("away", "minute", "dihedral", "adaptive", case="meshes: grid")
-           + ". In 10 s it moves "
+           "The sheet comes to rest in another shape. Distance of the plain grid from its rest shape after "
+           "6 → 60 s, in sizes: " + _pairs("away", "minute", "dihedral", "adaptive", case="meshes: grid")
+           + ". From 50 s to 60 s the grid moves "
            "<moved|meshes: grid|dihedral adaptive|minute> sizes"),
 ]
 
@@ -255,7 +258,7 @@ REASONS = [*LOADS, *STEPS, *SHAPES, *STARTS, *SHEETS]  # the first that fits is 
 
 
 def reason(cell):
-    """The first known cause that the run's numbers show, None without one."""
+    """The first known cause that the run's metrics show, or None."""
     if not cell.run.complete:
         return None
     for one in REASONS:
@@ -266,7 +269,7 @@ def reason(cell):
 
 
 def explain(cells):
-    """Writes the reason of every cell that is not green into its `why`; cells by (case, model, precision)."""
+    """Writes a reason to `why` of every cell that is not green. `cells`: (case, model, precision) → cell."""
     explained = {}
     for key, cell in cells.items():
         if cell.verdict != "green" and (found := reason(cell)):
@@ -279,12 +282,12 @@ def explain(cells):
 
 @cache
 def apart():
-    """{config: {change: {case: {model: {quantity: number}}}}}; empty before it was measured."""
+    """{config: {change: {case: {model: {quantity: number}}}}} in apart.json; empty without this file."""
     return json.loads(APART.read_text(encoding="utf-8")) if APART.exists() else {}
 
 
 def filled(one, explained, cells):
-    """The text of a reason with its numbers; `explained` are its own cells."""
+    """The text of a reason with numbers for its placeholders. `explained`: the cells with this reason."""
     def numbers(place):
         quantity, case, models, change = place.groups(default="")
         exact = case in {name for name, _, _ in cells}
@@ -304,7 +307,7 @@ def filled(one, explained, cells):
 
 
 def range_text(values):
-    """'0.17 to 0.26', one number if both ends read alike, – without numbers."""
+    """The range as text, '0.17 to 0.26'; one number if the rounded ends are equal; – without numbers."""
     values = [value for value in values if value is not None and np.isfinite(value)]
     if not values:
         return "–"
@@ -313,11 +316,11 @@ def range_text(values):
 
 
 def repeat_text(one):
-    """Which numbers of a reason are not from this page, and the commands that repeat them."""
+    """Text: the commands that repeat the runs of a reason that are not from this page."""
     if not one.apart:
         return ""
     sets = lambda change: " ".join(f"--set {pointer}={value}" for pointer, value in CHANGES[change].items())
     commands = [f"./bendlab run configs/stability/{config}.json {sets(change)} --out /tmp/apart"
                 for config, change in one.apart]
-    return (". The changed settings and longer times were measured apart from this page, in double "
+    return (". Numbers with changed settings or longer times are from runs apart from this page, in double "
             "precision: " + "; ".join(commands))

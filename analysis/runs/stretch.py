@@ -1,8 +1,8 @@
-"""Where a cloth is stretched: σ₁ of its triangles, and how far they lie from the pins.
+"""Where a cloth is stretched: σ₁ of the triangles, and their distances from the pins.
 
-σ₁, the largest principal stretch of a triangle, is the largest singular value of its deformation gradient:
-how many times as long as at rest its most stretched direction is. It is computed here from the recorded
-positions and not read from the file, so that the program's own metric can be checked against it.
+σ₁, the largest principal stretch of a triangle, is the largest singular value of its deformation gradient: in
+its most stretched direction, a triangle is σ₁ times as long as at rest. Here σ₁ is computed from the recorded
+positions, and not read from the run file, so that the program's metric can be checked.
 """
 from dataclasses import dataclass
 
@@ -12,8 +12,8 @@ from bendlab.results.load import spread, statuses, summary_spread
 
 WRONG = 1.0  # σ₁ − 1; above it a triangle has failed: it is more than twice as long as at rest
 NEAR = 2.0  # cells; triangles nearer than this to a pinned vertex count as at the pin
-PER_DOUBLING = 2  # bins of distance; fewer than 2 would blur the first cells, more would leave bins empty
-USUAL = 0.9  # share of the triangles of a bin that are stretched less than its "usual" number
+PER_DOUBLING = 2  # bins of distance; with fewer, the first cells share a bin; with more, bins are empty
+USUAL = 0.9  # share of the triangles of a bin that are stretched less than the number Group.usual of the bin
 
 
 def principal_stretch(rest, positions, triangles):
@@ -34,7 +34,7 @@ def principal_stretch(rest, positions, triangles):
         s11, s22, s12 = ((x * y).sum(axis=-1) for x, y in ((first, first), (second, second), (first, second)))
         # The larger eigenvalue of FᵀF
         largest = np.sqrt((s11 + s22 + np.hypot(s11 - s22, 2 * s12)) / 2)
-    return np.where(height > 1e-9 * length, largest, np.nan)  # relative, so that millimetres are as metres
+    return np.where(height > 1e-9 * length, largest, np.nan)  # relative: no unit of length
 
 
 def ring_of(triangles, centre, count):
@@ -63,7 +63,7 @@ def distance_from_pins(rest, triangles, pinned):
 
 @dataclass
 class Stretched:
-    """The free triangles of a run within its last simulated second. Lengths in m."""
+    """The triangles of a run that can move, in the last simulated second. Lengths in m."""
 
     distance: np.ndarray  # (T) at rest, from the nearest pinned vertex
     ring: np.ndarray  # (T) edges from the pinned vertices to the triangle's farthest corner
@@ -82,7 +82,7 @@ class Stretched:
 
     @property
     def worst(self):
-        """(F) the most stretched triangle of each frame."""
+        """(F) index of the most stretched triangle of each frame."""
         return self.excess.argmax(axis=1)
 
     def over_distance(self, edges, share=1.0):
@@ -111,8 +111,8 @@ def stretched(run):
 
 
 def bin_edges(smallest, largest):
-    """Edges of bins of distance, PER_DOUBLING to each doubling, from `smallest` to above `largest`. Their
-    places do not depend on the mesh: all are powers of two of a metre, so that bins of two meshes agree."""
+    """Edges of bins of distance from `smallest` to above `largest`, PER_DOUBLING for each doubling. The edges
+    are powers of 2^(1/PER_DOUBLING) in m for every mesh, so that bins of two meshes are equal."""
     first = np.floor(PER_DOUBLING * np.log2(smallest))
     last = np.floor(PER_DOUBLING * np.log2(largest)) + 1
     return 2.0 ** (np.arange(first, last + 1) / PER_DOUBLING)
@@ -123,16 +123,16 @@ class Group:
     """Runs that differ only in their seed. Distances in m; stretch is σ₁ − 1."""
 
     n: int  # cells per side
-    cell: float  # its side
+    cell: float  # side of a cell
     status: dict  # verdict → runs
     near: object  # Spread: largest within NEAR cells of a pinned vertex
-    far: object  # Spread: largest beyond
+    far: object  # Spread: largest farther away
     whole: object  # Spread: largest anywhere
     place: object  # Spread: distance of the most stretched triangle from the nearest pinned vertex
-    range: tuple  # the middle four fifths of these distances, over frames and seeds
-    ring: float  # of its farthest corner, counted from the pinned vertices; median over frames and seeds
-    rings: tuple  # their middle four fifths
-    reach: float  # the ring at which the pinned vertices' springs end (n of eq. 7); NaN: no such springs
+    range: tuple  # 10 % and 90 % quantiles of this distance, over frames and seeds
+    ring: float  # edges from pinned vertices to this triangle's farthest corner; median, frames and seeds
+    rings: tuple  # 10 % and 90 % quantiles of this number
+    reach: float  # ring at which the springs of pinned vertices end (n of eq. 7); NaN without n
     worst: list  # (B) Spreads: largest in each bin of distance
     usual: np.ndarray  # (B) quantile USUAL in each bin, median over seeds
     edges: np.ndarray  # (B + 1)
@@ -153,7 +153,7 @@ class Group:
 
 
 def measure(runs):
-    """The Group of these runs."""
+    """Measures these runs, which differ only in their seed."""
     parts = [stretched(run) for run in runs]
     edges = bin_edges(min(part.distance.min() for part in parts), max(p.distance.max() for p in parts))
     of = lambda value: spread([value(part) for part in parts])

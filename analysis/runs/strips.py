@@ -1,4 +1,4 @@
-"""Shared by the figures of stiffness: runs of clamped strips, and their theoretical curves."""
+"""Runs of clamped strips and their theoretical curves, for all figures of stiffness."""
 import numpy as np
 
 from tables import looks
@@ -8,13 +8,13 @@ from runs.sweeps import load_experiment
 GRAVITY = 9.81  # m/s², as in the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
               "both": "grid, both diagonals", "delaunay": "delaunay"}
-UNBALANCED = 0.005  # share of the loads; a static run whose forces are less balanced is no equilibrium
+UNBALANCED = 0.005  # share of the loads; a static run with a larger unbalanced force is no equilibrium
 
 
 def experiment_runs(results, section, *names):
-    """Complete runs of configs/stiffness/<name>.json; static runs that are unbalanced are left out.
+    """Complete runs of configs/stiffness/<name>.json, without static runs whose forces are not balanced.
 
-    Adds commands, missing points and the count of unbalanced runs to the section.
+    Adds to the section: commands, missing points, and the number of runs that are left out.
     """
     runs = []
     for name in names:
@@ -51,12 +51,12 @@ def gravity(run):
 
 
 def number(run, name):
-    """A number of the summary, NaN if there is none."""
+    """A metric of a run; NaN if the run lacks the metric."""
     return run.summary.get(name, np.nan)
 
 
 def droop(run):
-    """H/W: how far the free end hangs down over how far it reaches out."""
+    """H/W: H is how far the free end hangs down, W is how far this end reaches out."""
     return number(run, "stiffness_height_over_width")
 
 
@@ -66,7 +66,7 @@ def rigidity(run):
 
 
 def stated(run):
-    """The physical stiffness in the config: C in N m³ of springs at rest, else B in N m."""
+    """The physical stiffness in the config: C in N m³ for springs at rest, B in N m for other models."""
     bending = run.get("/bending")
     if not registry.has_springs_at_rest(run.model):
         return bending["flexural_rigidity"]
@@ -79,14 +79,14 @@ def measured(run):
 
 
 def load_number(run, flexural_rigidity):
-    """Γ = ρ g L³/B for this B; L is the strip's effective length, with the clamp offset."""
+    """Γ = ρ g L³/B for this B; L is the effective length, from a point behind the clamp's edge."""
     return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
 
 
 def elastica_droop(loads):
-    """H/W of heavy strips at Γ = loads, by Runge-Kutta and bisection.
+    """H/W of the heavy elastica (a strip that bends under its weight) for Γ = loads.
 
-    B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0.
+    Solves B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 by Runge-Kutta and bisection.
     """
     loads = np.asarray(loads, float)
     steps = 400
@@ -107,11 +107,11 @@ def elastica_droop(loads):
             width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
             height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
             theta = after
-            steep |= (theta > np.pi / 2) & ~flat  # past the vertical, weight bends it further
+            steep |= (theta > np.pi / 2) & ~flat  # past the vertical, the weight bends the strip further
             flat |= (slope < 0) & ~steep
         return ~flat, height / width
 
-    # Slope at the clamp: at most Γ/2 (a flat strip) and √2Γ (all the weight turns it).
+    # Upper bounds of the slope at the clamp: Γ/2 (a flat strip), √(2Γ) (the whole weight at the free end).
     low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
     for _ in range(50):
         middle = (low + high) / 2
@@ -138,13 +138,13 @@ def ring_pairs(triangles, count, ring):
 
 
 def expected_quartic(rest, triangles, pinned, ring, stiffness):
-    """C in N m³ of an equilateral lattice with springs to one ring; `stiffness` of a spring in N/m, rows
-    across the strip.
+    """C in N m³ of an equilateral lattice with springs to one ring and rows across the strip. `stiffness`:
+    stiffness of a spring in N/m.
 
-    The sheet bends as a polyhedral cylinder: rows are h apart, stay straight, and each turns by κh. A spring
-    of length l over n rows shortens by n² (n² - 1) h⁴ κ² / 24 l. The energy of all springs per area is C κ⁴ /
-    4. Springs end at the free sides, so that C is smaller than on an infinite lattice. Only springs away from
-    the clamp and the free end count.
+    The sheet bends as a polyhedral cylinder: rows of vertices are h apart and stay straight, and the strip
+    turns by κh at each row. A spring of length l over n rows shortens by n² (n² - 1) h⁴ κ² / 24 l. The energy
+    of all springs per area is C κ⁴ / 4. Springs end at the free sides, so that C is smaller than on an
+    infinite lattice. Only springs away from the clamp and the free end count.
     """
     pairs = ring_pairs(triangles, len(rest), ring)
     rows = np.unique(np.round(rest[:, 0], 7))
@@ -171,11 +171,11 @@ def largest_ratio(values):
 
 
 def power(runs):
-    """The exponent p of H/W ∝ g^p, fitted to these runs."""
+    """The exponent p of H/W ∝ g^p, from a fit to these runs."""
     return float(np.polyfit(np.log([gravity(run) for run in runs]), np.log([droop(run) for run in runs]),
                             1)[0])
 
 
 def as_stated(*columns):
-    """The limits of a chart whose numbers are 1 where the stiffness is as stated."""
+    """Lines at 1 in a chart, for columns that are 1 if the stiffness is as stated."""
     return [(column, 1, "as stated") for column in columns]

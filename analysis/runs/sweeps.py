@@ -22,11 +22,10 @@ class Experiment:
     sweep: dict  # JSON pointer → values
     runs: list  # in the order of the sweep
     missing: list  # points of the sweep without a finished run, as text
-    absent: str = ""  # why there is no run of the config as it is written
+    absent: str = ""  # why the config as it is written has no runs
 
     @property
     def missing_text(self):
-        """The missing runs as text; "" if none is missing."""
         parts = [self.absent] if self.absent else []
         if self.missing:
             runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
@@ -41,8 +40,8 @@ class Experiment:
 def load_experiment(results, config):
     """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
 
-    `bendlab run` lists these runs in <config>.sweep.json beside them. If the config was only run with other
-    settings (--set), the newest of these trials is shown, and `absent` says so.
+    `bendlab run` lists the runs in <config>.sweep.json in the same folder. If there are only trials of the
+    config (runs with --set), the newest trial is loaded, and `absent` states this.
     """
     settings = read_config(config)
     folder = Path(results) / settings["name"]
@@ -54,7 +53,7 @@ def load_experiment(results, config):
         return experiment
     sweep = json.loads(file.read_text(encoding="utf-8"))
     if sweep["overrides"]:
-        experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
+        experiment.absent = f"only runs of a trial with --set {' --set '.join(sweep['overrides'])}"
     elif not (_same_runs(settings, sweep["settings"]) and _same_axes(axes, sweep["axes"])):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
@@ -82,8 +81,8 @@ def read_config(config):
 
 
 def planned_points(settings, axes):
-    """Every place on these axes, in the order of the program: pointer → value. A setting of one bending model
-    is no axis for runs of another model: their points do not have it."""
+    """Every point on these axes (pointer → value), in the order of the program. The point of a run has no
+    settings of bending models that the run does not use."""
     points = {}
     for values in itertools.product(*axes.values()):
         point = dict(zip(axes, values))
@@ -96,7 +95,7 @@ def planned_points(settings, axes):
 
 
 def point_key(point):
-    """Text that is equal for equal points: 0 and 0.0 are one number."""
+    """A text that is the same for equal points, where 0 equals 0.0."""
     return json.dumps(_plain(point), sort_keys=True)
 
 
@@ -110,21 +109,20 @@ def _plain(value):
 
 def planned_runs(experiment):
     """Every run of an experiment's config, in the order of its sweep. A missing run has the status "missing"
-    and only the settings that the config states. Runs of a trial do not count."""
+    and only the settings that the config states. Runs of a trial (--set) count as missing."""
     existing = {} if experiment.absent else {point_key(run.point): run for run in experiment.runs}
     return [existing.get(point_key(point)) or missing_run(experiment.config, point)
             for point in planned_points(experiment.settings, experiment.settings["sweep"])]
 
 
 def missing_run(config, point):
-    """A stand-in for a missing run."""
     settings = settings_at(read_config(config), point)
     return Run(file=None, id="", name=settings["name"], status="missing", config=settings, summary={},
                metrics={}, point=point, experiment=config)
 
 
 def settings_at(settings, point):
-    """A copy of a config as it is written, with the values of a place on its sweep."""
+    """A copy of a config as it is written, with the values of a point of its sweep."""
     settings = copy.deepcopy(settings)
     for pointer, value in point.items():
         *path, last = pointer.split("/")[1:]
@@ -136,7 +134,7 @@ def settings_at(settings, point):
 
 
 def _sweep_file(folder, name):
-    """The sweep file of a config, or of its newest trial, or None."""
+    """The sweep file of a config, or else of the config's newest trial (--set), or None."""
     file = folder / f"{name}.sweep.json"
     if file.exists():
         return file
@@ -150,8 +148,8 @@ def file_in(folder):
 
 
 def _same_runs(written, computed):
-    """Whether a config as written has the runs of the computed config; axes are compared by _same_axes(). The
-    computed config lists effects even if the written config has none."""
+    """Whether the config as written has the same settings as the config of the computed runs, without the
+    axes (_same_axes). The computed config lists effects even if the written config has none."""
     beside = ("description", "sweep", "expect", "allow", "cover", "because", "$schema")
     decides = lambda settings: {key: value for key, value in settings.items()
                                 if key not in beside and (key != "effects" or key in written)}
@@ -159,6 +157,5 @@ def _same_runs(written, computed):
 
 
 def _same_axes(written, axes):
-    """Whether the axes as a config writes them are the axes of its runs. "all" stands for every choice of a
-    setting."""
+    """Whether the axes in a config are the axes of the runs. "all" means every choice of a setting."""
     return list(written) == list(axes) and all(written[pointer] in ("all", axes[pointer]) for pointer in axes)

@@ -13,23 +13,22 @@ ORDER = ["complete", "running", "implausible", "diverged", "interrupted", "unrea
 
 
 def top_html(report):
-    """The page above its sections."""
     text = next((sweep.description for sweep in report.sweeps if sweep.description), "")
     lead = f"<p class='lead'>{escape(text)}</p>" if text and len(report.sweeps) == 1 else ""
-    # a live page would keep showing old counts
+    # on a live page, these counts would soon be out of date
     tally = "" if report.live else f"<ul class='tally'>{''.join(_tally(report))}</ul>"
     return (f"<h1>{escape(report.title)}</h1>{lead}<p class='answer'>{_answer(report)}</p>{tally}"
             f"{_going_on(report)}{''.join(_trouble(report))}")
 
 
 def status_html(status, text=None):
-    """A status with the mark of its kind. A damaged file looks like a failure."""
+    """A status as HTML, in the style of its kind. The status "unreadable" has the style of a failure."""
     kind = "fails" if status == "unreadable" else status
     return f"<span class='status {kind}'>{escape(text or status)}</span>"
 
 
 def _answer(report):
-    """One sentence: the number of runs, and the range of the first metric that differs."""
+    """The answer: the number of runs, and the range of the first metric that differs between runs."""
     runs, count = report.runs, len(report.runs)
     if report.live:
         return "The page follows this run while it is computed."
@@ -52,7 +51,7 @@ def _answer(report):
 
 
 def _extremes(report):
-    """(metric, run with the smallest value, run with the largest) of the first metric that differs."""
+    """(metric, run with the smallest value, run with the largest value) of the first metric that differs."""
     for number in report.numbers[0] if report.numbers else []:
         of = lambda run: run.summary.get(number["name"], np.nan)
         runs = [run for run in report.runs if run.complete and np.isfinite(of(run))]
@@ -85,13 +84,13 @@ def _going_on(report):
 
 
 def _trouble(report):
-    """Notes as HTML: one per kind of failure with its cause, one per kind of warning, those of the sweeps."""
+    """Notes as HTML: a note for each kind of failure and of warning, and the notes of the sweeps."""
     link = lambda run: f"<a href='#run-{escape(run.id)}'>{escape(report.labels[run.id])}</a>"
     for status, kind in (("implausible", "no"), ("diverged", "diverged"), ("unreadable", "no")):
         failed = [run for run in report.runs if run.status == status]
         if failed:
             rest = len(failed) - 1
-            more = f" And {rest} more: see <a href='#runs'>the runs</a>." if rest else ""
+            more = f" {rest} more with this status: see <a href='#runs'>the runs</a>." if rest else ""
             yield (f"<div class='note {kind}'><p>{status_html(status)} {link(failed[0])}: "
                    f"{escape(run_facts.why(failed[0]))}{more}</p></div>")
     given = {}

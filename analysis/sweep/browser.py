@@ -1,4 +1,4 @@
-"""The file of a page that nobody but the user sees, and how a browser opens it."""
+"""A page in the user's cache: the path of the file, and how a browser opens the file."""
 import hashlib
 import os
 import re
@@ -9,7 +9,7 @@ from pathlib import Path
 
 
 def cached_page(results):
-    """A file in the user's cache, the same for the same results: a new page replaces the old page."""
+    """The file in the user's cache for a page of these results: a new page replaces the old page."""
     home = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "bendlab"
     whole = [str(Path(result).resolve()) for result in results]
     name = re.sub(r"[^A-Za-z0-9_.=-]+", "_", Path(whole[0]).name)[:60]
@@ -17,7 +17,7 @@ def cached_page(results):
 
 
 def opened(address):
-    """Whether a browser was asked to open a file: or http: address."""
+    """Opens a file: or http: address in a browser. False if no browser is found."""
     opener = shutil.which("open" if sys.platform == "darwin" else "xdg-open")
     if not opener or (sys.platform != "darwin"
                       and not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))):

@@ -1,4 +1,4 @@
-"""The charts of a sweep: its numbers against each of its axes, over time, and where the time goes."""
+"""The charts of a sweep: metrics against each axis, metrics over time, and time of each pass of a step."""
 import math
 
 import numpy as np
@@ -21,28 +21,27 @@ OF_COURSE = ("vertices", "triangles", "size", "edge_length", "memory_bytes")  # 
 
 
 def cpu_ms(run):
-    """CPU time of the steps per FRAME_S of simulated time, in ms; NaN if it is not known."""
+    """CPU time of the steps per FRAME_S of simulated time, in ms; NaN if the time is not known."""
     seconds = simulated_s(run)
     return 1e3 * FRAME_S * run.step_cpu_s / seconds if seconds > 0 and run.step_cpu_s > 0 else math.nan
 
 
 def simulated_s(run):
-    """Simulated time of a run, in s. If the run went to its end, its file need not be opened."""
+    """Simulated time of a run, in s. Does not open the file of a run that went to its end."""
     if run.complete and not run.get("/settled_speed") and run.get("/duration"):
         return float(run.get("/duration"))
     return float(run.metrics["time"][-1]) if run.frames else 0.0
 
 
 def number_of(run, name):
-    """A number of a run's summary: infinite for a run that diverged, NaN if it has none."""
+    """A metric of a run: infinite if the run diverged, NaN if the run lacks the metric."""
     if name == CPU:
         return cpu_ms(run)
     return run.summary.get(name, math.inf if run.status == "diverged" else math.nan)
 
 
 def numbers_of(sweep, most=MOST_NUMBERS):
-    """[{name, label, unit, meaning}] of at most `most` metrics that vary; those with expectations come
-    first."""
+    """[{name, label, unit, meaning}] of at most `most` metrics that vary; expected metrics come first."""
     names = {name for run in sweep.runs for name in run.summary}
     expected = [bound.metric for bound in expected_of(sweep.settings)]
     further = sorted(name for name in names if not name.startswith("rest_") and name not in OF_COURSE)
@@ -71,7 +70,7 @@ def _varies(runs, name):
 # --- against an axis ---------------------------------------------------------------------------------------
 
 def axis_charts(sweep, axes, numbers, command, prefix):
-    """A chart for every axis but those of seeds: medians over seeds, with their range."""
+    """A chart for every axis except axes of seeds: medians and ranges over seeds."""
     if not numbers:
         return []
     wanted = [axis for axis in axes if not axis.is_seed]
@@ -113,7 +112,7 @@ def _axis_chart(sweep, axis, axes, numbers, command, name):
 
 
 def _curve_axis(axes):
-    """The axis whose values are the curves: the axis of models, else the axis with the fewest values."""
+    """The axis with a curve for each value: the axis of models, or else the axis with fewest values."""
     models = [axis for axis in axes if axis.models]
     return (models or sorted(axes, key=lambda axis: (len(axis.values) > 12, len(axis.values))) or [None])[0]
 
@@ -128,12 +127,12 @@ def _curve_name(axis, place, sweep):
 
 
 def _own_looks(axis):
-    """Whether all values of an axis of models are different models, so that colours tell them apart."""
+    """Whether all values of an axis of models are different models, which have different colours."""
     return len(set(axis.models)) == len(axis.models)
 
 
 def _by_model(series, axis):
-    """One series per point, in the look of the point's model."""
+    """One series per point, in the colour and marker of the point's model."""
     for i, place in enumerate(series["x"]):
         at = lambda numbers: {name: [values[i]] for name, values in numbers.items()}
         look = looks.of_model(axis.models[place]) if _own_looks(axis) else looks.of_place(place)
@@ -143,7 +142,7 @@ def _by_model(series, axis):
 
 
 def _series(runs, axis, numbers):
-    """Places, runs and numbers along an axis; None if there are none."""
+    """The values of an axis with their runs and metrics; None without any runs."""
     at = {place: same_place for place, same_place in sorted(group(
         [run for run in runs if axis.place(run) is not None], axis.place).items()) if any(
             run.summary or run.status == "diverged" for run in same_place)}
@@ -178,7 +177,7 @@ def _spread(numbers):
 
 
 def _middle(runs, axis):
-    """The place of an axis that most runs have. Ties go to the middle place."""
+    """The index of the value of the axis that most runs have. Ties go to the middle index."""
     places = [axis.place(run) for run in runs if axis.place(run) is not None]
     counts = np.bincount(places, minlength=len(axis.values)) if places else np.zeros(1, int)
     most = np.flatnonzero(counts == counts.max())
@@ -186,14 +185,14 @@ def _middle(runs, axis):
 
 
 def _limits(sweep):
-    """The bounds that are expected of every run."""
+    """The bounds in expectations that apply to every run."""
     return [{"metric": expected.metric, "value": bound, "text": f"expected {word} {bound:g}"}
             for expected in expected_of(sweep.settings) if not expected.where
             for bound, word in ((expected.minimum, "at least"), (expected.maximum, "at most"))
             if bound is not None]
 
 
-# --- over time, and of time --------------------------------------------------------------------------------
+# --- metrics over time, and time per pass ------------------------------------------------------------------
 
 TIMES = ["mean_strain", "max_stretch", "pin_max_stretch", "drop", "kinetic_energy", "pin_region_stretch",
          "linear_momentum", "angular_momentum", "degenerate_triangles"]
@@ -239,8 +238,8 @@ def _moves(series, metric):
 
 
 def pass_chart(sweep, axes, command, name):
-    """Time per pass, a bar per run. Bars are medians over seeds, and if there are too many bars, also over
-    the axes with the most values."""
+    """Time per pass (a part of a step), a bar per run. Bars are medians over seeds, and if there are too many
+    bars, also over the axes with the most values."""
     runs = [run for run in sweep.runs if run.passes and simulated_s(run) > 0]
     if not runs:
         return None

@@ -1,4 +1,4 @@
-"""The runs that a page plays, and the sentence that says why it plays these."""
+"""The runs that a page plays, and a sentence on how these runs were chosen."""
 import numpy as np
 
 from bendlab.results.load import group
@@ -7,9 +7,9 @@ MOST = 8
 
 
 def choose(sweeps, axes_of_sweep, wanted=(), most=MOST):
-    """(runs, sentence). `wanted`: beginnings of ids, or parts of folder names. If it is empty, at most `most`
-    runs: one per value of one axis, on the finest mesh and in the middle of the other axes, and the first run
-    that went wrong."""
+    """(runs, sentence). `wanted`: beginnings of ids, or parts of folder names. If `wanted` is empty, at most
+    `most` runs are chosen: one for each value of one axis, with the finest mesh and middle values of all
+    other axes, and the first run that is implausible or diverged."""
     runs = [run for sweep in sweeps for run in sweep.runs if run.frames and run.file]
     if wanted:
         return _named(runs, wanted)
@@ -21,7 +21,7 @@ def choose(sweeps, axes_of_sweep, wanted=(), most=MOST):
 
 
 def offered(runs, chosen):
-    """The other runs that could be played; runs on fine meshes come first."""
+    """The runs that could also be played; runs on fine meshes come first."""
     rest = [run for run in runs if run.frames and run.file and run not in chosen]
     return sorted(rest, key=lambda run: -run.summary.get("vertices", 0))
 
@@ -43,7 +43,7 @@ def _of_each(sweeps, most):
     middle = [runs[len(runs) // 2] for sweep in sweeps
               if (runs := [run for run in sweep.runs if run.frames and run.file])]
     places = np.unique(np.linspace(0, len(middle) - 1, most).round().astype(int))
-    return [middle[i] for i in places], "One run of each sweep, in the middle of its list."
+    return [middle[i] for i in places], "One run of each sweep, the run in the middle of the sweep's list."
 
 
 def _along_axes(runs, axes, most):
@@ -51,11 +51,11 @@ def _along_axes(runs, axes, most):
     axes = [axis for axis in axes if not axis.is_seed]
     if not axes:
         return runs[:most], f"The first {most} runs."
-    # Models first, then other names, then numbers.
+    # Axes of models first, then axes of names, then axes of numbers.
     first = min(axes, key=lambda axis: (axis.models is None, axis.numeric, -len(axis.values)))
     other_axes = [axis for axis in axes if axis is not first]
-    # The place on the other axes that has most values of the first axis. Ties go to the finest mesh, then to
-    # the middle.
+    # Values of other_axes for which as many values of the first axis as possible have runs. Ties go to the
+    # finest mesh, then to the middle.
     places = group(runs, lambda run: tuple(axis.place(run) for axis in other_axes))
     filled = lambda place: len({first.place(run) for run in places[place]})
     best = max(map(filled, places))

@@ -1,4 +1,4 @@
-"""The data of the explorer of a report: every run on every axis, and the names of the numbers."""
+"""The data of the part of a report that shows all runs at once (its explorer)."""
 from tables import looks
 
 MOST_LOOKS = 24  # an axis with more values gives runs no colours
@@ -6,26 +6,27 @@ MOST_RUNS = 500  # a page with more runs has only the metrics of its charts
 
 
 def explorer(report):
-    """{axes, numbers, places, plain}: axes of all sweeps, names of numbers, run id → place on each axis."""
+    """{axes, numbers, places, plain}: the axes of all sweeps, the names of the metrics, run id → index of the
+    run's value on each axis, the style of runs without a colour."""
     by_pointer = {}
     for varied, _ in report.axes:
         for axis in varied:
             by_pointer.setdefault(axis.pointer, []).append(axis)
     axes = [_axis(pointer, same_axis) for pointer, same_axis in by_pointer.items()]
-    # axes of names first: their labels stand left of their lines
+    # axes with names first, because the first axis has most room for names on its left
     axes.sort(key=lambda axis: axis["numbers"] is not None)
     places = {run.id: [_place(report, run, axis) for axis in axes] for run in report.runs}
     return {"axes": axes, "numbers": list(report.summary), "places": places, "plain": looks.of_place(0)}
 
 
 def _axis(pointer, axes):
-    """One axis of several sweeps: the values of all, in order."""
+    """The axis of one setting, with the values from all sweeps that vary this setting, in order."""
     values = {text: value for axis in axes for text, value in zip(axis.texts, axis.values)}
     first = axes[0]
     numeric = all(axis.numeric for axis in axes)
     texts = sorted(values, key=values.get) if numeric else list(values)
     models = dict(pair for axis in axes if axis.models for pair in zip(axis.texts, axis.models))
-    # a model has one colour, so variants of a model get other colours
+    # the colours of models cannot tell apart two values that have the same model
     alone = len(set(models.values())) == len(values)
     look = lambda text, at: looks.of_model(models[text]) if alone else looks.of_place(at)
     return {"name": pointer, "label": first.short, "unit": first.unit, "meaning": first.meaning,

@@ -1,7 +1,7 @@
-"""Serves the page of a run that is going on, at 127.0.0.1 under an address with a random part.
+"""Serves the page of a run that is being computed, at 127.0.0.1, under an address with a random part.
 
-The page asks for new frames, which are read from the unfinished file. Nothing else is answered: another path
-or another host's name gets 404, another method 405. Ctrl-C ends the server.
+The page asks for new frames, which are read from the unfinished file of the run. A request with another path
+or host name gets the status 404; a request with another method than GET gets 405. Ctrl-C ends the server.
 """
 import argparse
 import json
@@ -23,20 +23,21 @@ from bendlab.results.load import load_run
 from sweep.report import WATCHED_LIMIT, Report
 
 POLL_S = 1.0  # time between two requests of the page, s
-REST = 1  # after a reading the file is left alone for this many times the reading's duration
+REST = 1  # seconds until the file is read again, per second that the last reading took
 MOST_PLACES = 300_000  # vertices times frames of a page; more would take longer than a second or two
 FEWEST, MOST = 30, 240  # frames, whatever the mesh
 
 
 class LiveRun:
-    """A run with its frames so far. Its file is copied before it is read: the writer holds a lock on it."""
+    """A run with the frames that are written so far. The file of the run is copied before it is read, because
+    the writer locks the file."""
 
     def __init__(self, place, command):
         self._place, self._command = Path(place), command
         self._seen, self._report, self._turn, self._not_before = None, None, threading.Lock(), 0.0
 
     def file(self):
-        """The run's file, finished or not; None before its first frame."""
+        """The finished or unfinished file of the run; None before the run's first frame."""
         if self._place.is_file():
             whole = self._place.parent / "run.vtkhdf"
             return whole if whole.exists() else self._place
@@ -44,14 +45,14 @@ class LiveRun:
         return max(begun, key=lambda path: path.stat().st_mtime, default=None)
 
     def report(self):
-        """The Report of the run with its frames so far. If the file cannot be read at this moment, the Report
-        before; None without a frame."""
+        """The Report of the run with the frames that are written so far; None without a frame. If the file
+        cannot be read now, the last Report that could be made."""
         with self._turn:
             begin = time.monotonic()
             if begin >= self._not_before:
                 try:
                     self._read_new()
-                # the file is being written: the next call tries again
+                # the file is being written; the next call reads it again
                 except (OSError, KeyError, ValueError):
                     pass
                 end = time.monotonic()
@@ -81,7 +82,7 @@ class LiveRun:
 
     @staticmethod
     def _news(report, run):
-        """The data that a page with fewer frames needs."""
+        """The data that an open page needs to show the new frames."""
         entry = report.playback.data["runs"][0]
         return {"frames": run.frames, "time": float(run.metrics["time"][-1]), "status": run.status,
                 "duration": run.get("/duration"), "run": entry, "scripts": frames_of(report.playback.scripts),
@@ -89,12 +90,12 @@ class LiveRun:
 
 
 def most_frames(run):
-    """At most this many frames, so that a long run of a fine mesh can be followed."""
+    """The largest number of frames of a page: smaller for a finer mesh, so that the page is made quickly."""
     return int(np.clip(MOST_PLACES // max(len(run.rest_positions), 1), FEWEST, MOST))
 
 
 def frames_of(script):
-    """The base64 text inside a script element of frames."""
+    """The base64 text of frames, without the script element around it."""
     return script[script.index(">") + 1:script.rindex("</script>")] if "</script>" in script else ""
 
 
@@ -115,7 +116,8 @@ def handler_of(live, token):
                 return self._answer(404, "text/plain", b"There is nothing here.\n")
             report = live.report()
             if report is None:
-                return self._answer(503, "text/plain", b"The run has no frame yet: reload in a moment.\n")
+                text = b"The run has no frame yet: reload the page in a moment.\n"
+                return self._answer(503, "text/plain", text)
             if asked[2] == b"":
                 return self._answer(200, "text/html; charset=utf-8", report.live_page.encode())
             if query == f"have={report.news['frames']}-{report.news['status']}":
@@ -146,14 +148,14 @@ def handler_of(live, token):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run", type=Path, help="the run's folder or its unfinished file")
-    parser.add_argument("--command", default="", help="the command that makes the page again, shown on it")
+    parser.add_argument("--command", default="", help="the command that the page states as its origin")
     parser.add_argument("--open", action="store_true", help="open the page in the browser")
     parser.add_argument("--play", action="append", default=[], help=argparse.SUPPRESS)
     arguments = parser.parse_args()
     frame_coding.compress_quickly()
     live = LiveRun(arguments.run, arguments.command)
     if live.file() is None:
-        tell(f"there is no run in {arguments.run}: start it first, then watch it")
+        tell(f"there is no run in {arguments.run}: start the run first, then watch it")
         return 2
     token = secrets.token_urlsafe(24)
     server = ThreadingHTTPServer(("127.0.0.1", 0), handler_of(live, token))
@@ -162,7 +164,7 @@ def main():
     print(address, flush=True)
     tell("Ctrl-C ends the server")
     if arguments.open and not browser.opened(address):
-        tell("there is no browser to open it in: open the address yourself")
+        tell("there is no browser to open the page in: open the address yourself")
     try:
         for number in (signal.SIGINT, signal.SIGTERM):  # also if the shell told this process to ignore SIGINT
             signal.signal(number, _stop)
@@ -174,7 +176,7 @@ def main():
 
 
 class _Stopped(Exception):
-    """A signal ended the server; the argument is its number."""
+    """A signal ended the server; the argument is the number of the signal."""
 
 
 def _stop(number, _):

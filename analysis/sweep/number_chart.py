@@ -1,4 +1,4 @@
-"""Any number of a sweep's runs against any other: error against time, for example."""
+"""A chart of two metrics or settings of a sweep's runs, for example of the error against the time."""
 import difflib
 import math
 
@@ -19,7 +19,8 @@ SECTIONS = ("mesh", "solver", "bending", "material", "material/strain", "pins", 
 
 
 def value_of(run, name):
-    """A number of a run, or a setting by its pointer; NaN without it, infinite if the run diverged."""
+    """The value of a run's metric, or of the setting with this pointer. NaN: the run has no such value;
+    infinite: the run diverged."""
     if name.startswith("/"):
         value = run.get(name)
         return float(value) if is_number(value) else math.nan
@@ -29,7 +30,7 @@ def value_of(run, name):
 
 
 def about(name, meanings):
-    """{name, label, unit, meaning} of a number or a setting."""
+    """{name, label, unit, meaning} of a metric or a setting."""
     if name.startswith("/"):
         unit, meaning = meanings.setting(name)
         return {"name": name, "label": name.rsplit("/", 1)[1].replace("_", " "), "unit": unit,
@@ -41,9 +42,9 @@ def about(name, meanings):
 
 
 def number_chart(sweep, axes, x, y, command, name):
-    """The chart of y against x: a point per place on the sweep, the median over seeds. A curve joins points
-    that differ only along the numeric axis with the most values. None if no run has both numbers; ValueError
-    for an unknown name."""
+    """The chart of y against x. Runs that differ only in their seeds are one point, at their median. A curve
+    joins the points that differ only in the numeric axis with the most values. None if no run has x and y;
+    ValueError for an unknown name."""
     runs = [run for run in sweep.runs if run.summary]
     for wanted in (x, y):
         if runs and not any(math.isfinite(value_of(run, wanted)) for run in runs):
@@ -70,7 +71,8 @@ def number_chart(sweep, axes, x, y, command, name):
 
 
 def _points(runs, along, x, y):
-    """[(x, y, ids, text)] of the places on an axis, sorted by x; medians over the runs of a place."""
+    """[(x, y, run ids, value as text)] for each value of an axis, sorted by x. x and y are medians over the
+    runs with this value."""
     points = []
     for same_place in group(runs, lambda run: along.place(run) if along else run.id).values():
         at = [(value_of(run, x), value_of(run, y), run.id) for run in same_place]
@@ -88,7 +90,7 @@ def _series(label, look, points, y):
 
 
 def _look(axes, runs, number):
-    """The look of the curve's model if models alone tell curves apart, else one by its place."""
+    """The style of a curve: by model if all curves have different models, otherwise by the curve's number."""
     if len(axes) == 1 and axes[0].models and len(set(axes[0].models)) == len(axes[0].models):
         return looks.of_model(runs[0].model)
     return looks.of_place(number)
@@ -96,7 +98,7 @@ def _look(axes, runs, number):
 
 def _unknown(name, runs):
     if name.startswith("/"):
-        return f"no run has a number as its setting {name}"
+        return f"the setting {name} is not a number in any run"
     known = sorted({*OF_A_RUN, CPU, *(key for run in runs for key in run.summary)})
     settings = [f"/{section}/{name}" for section in SECTIONS
                 if any(math.isfinite(value_of(run, f"/{section}/{name}")) for run in runs)]

@@ -1,5 +1,5 @@
-"""The page of any runs, sweeps or folders of results: how they move, their numbers against every axis, their
-tables. `bendlab report` and `bendlab view` call it."""
+"""Makes the page of runs, sweeps or folders of results. The page shows how the cloth moves, charts of the
+metrics, and tables. `bendlab report` and `bendlab view` call this script."""
 import argparse
 import json
 import os
@@ -27,14 +27,14 @@ from sweep.run_table import RunTable, about, unit_html
 from runs.axes import axes_of, label_of
 
 FRAMES_LIMIT = 12e6  # bytes of all frames of a page in its file
-WATCHED_LIMIT = 60e6  # the same for `bendlab view`, whose page stays on this machine
+WATCHED_LIMIT = 60e6  # the limit for `bendlab view`, whose page stays on this machine
 STILLS = 40  # a page with more runs that are not played shows no stills of them
 MOST_CHARTS, MOST_PASS_CHARTS = 8, 12
 ASKED = "asked"  # end of the id of a chart that --x and --y ask for
 
 
 class Report:
-    """Everything that a page says of its sweeps."""
+    """The sweeps of a page and everything that the page shows of these sweeps."""
 
     def __init__(self, sweeps, command, play=(), limit=FRAMES_LIMIT, most_frames=None, asked=None):
         self.sweeps, self.command, self.limit = sweeps, command, limit
@@ -58,7 +58,7 @@ class Report:
         return self.sweeps[self.sweep_of[run.id]]
 
     def _labels(self):
-        """Run id → its place on its sweep."""
+        """Run id → the label of the run: its values of the settings that the sweep varies."""
         labels = {}
         for run in self.runs:
             label = label_of(run, self.axes[self.sweep_of[run.id]][0])
@@ -68,7 +68,7 @@ class Report:
         return labels
 
     def _short_labels(self):
-        """Labels of the played runs: only the settings in which these runs differ."""
+        """Labels of the runs that are played. A label has only the settings in which these runs differ."""
         pointers = {axis.pointer for varied, _ in self.axes for axis in varied}
         values = lambda pointer: {json.dumps(run.point.get(pointer), sort_keys=True) for run in self.played}
         differ = {pointer for pointer in pointers if len(values(pointer)) > 1}
@@ -86,7 +86,7 @@ class Report:
         return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
 
     def html(self, live=None):
-        """The page. `live`: what its scripts need to ask for new frames."""
+        """The page as HTML. `live`: what the page's scripts need to ask for new frames."""
         self.live, self.charts = live, []
         table = Part("runs", "The runs", RunTable(self).html(), "Runs")
         parts = [self._motion(), *self._against(), self._explore(), self._expected(), self._over_time(),
@@ -119,7 +119,7 @@ class Report:
         return Part("motion", "Motion", self.playback.players + text)
 
     def _against(self):
-        """A section for each sweep: its axes, and its numbers against them."""
+        """A section for each sweep: a table of its axes, and charts of its metrics against each axis."""
         alone = len(self.sweeps) == 1
         for i, sweep in enumerate(self.sweeps):
             varied, fixed = self.axes[i]
@@ -140,9 +140,10 @@ class Report:
         if len(self.runs) < 2:
             return None
         return Part("explore", "All runs at once",
-                    "<p class='grey small'>Drag along a line to choose the runs that pass there: the table, "
-                    "the groups and the other charts then show these runs. A curve or a point opens its run; "
-                    "another run can be set beside it there.</p><div id='explorer'></div>", "Explore")
+                    "<p class='grey small'>Drag along a part of an axis to choose the runs whose curves "
+                    "cross this part. The table, the groups and the other charts then show these runs. Click "
+                    "a curve or a point to open a run, and to compare it with another run.</p>"
+                    "<div id='explorer'></div>", "Explore")
 
     def _expected(self):
         rows = []
@@ -187,7 +188,7 @@ class Report:
 
     @staticmethod
     def _looks(runs):
-        """The looks of the runs' models if these differ, else looks by place."""
+        """The styles of the runs' curves: by model if all models differ, otherwise by number."""
         if len({run.model for run in runs}) == len(runs) and all(run.model for run in runs):
             return [looks.of_model(run.model) for run in runs]
         return [looks.of_place(i) for i in range(len(runs))]
@@ -207,14 +208,15 @@ class Report:
 
     @cached_property
     def summary(self):
-        """Name → {label, unit, meaning} of every number of a run in the data of the page."""
+        """Name → {label, unit, meaning} of every metric in the page's data."""
         all_of = lambda sweep: charts.numbers_of(sweep, most=None)
         several = map(all_of, self.sweeps) if len(self.runs) <= MOST_RUNS else self.numbers
         return {number["name"]: {key: number[key] for key in ("label", "unit", "meaning")}
                 for numbers in several for number in numbers}
 
     def _stills(self):
-        """First and last frame of the runs that are not played, if these are few: ({id: data}, scripts)."""
+        """({run id: data}, scripts) of the first and last frame of runs that are not played. Empty if these
+        runs are more than STILLS."""
         unplayed = [run for run in self.runs if run.frames and run.file and run.id not in self.packed]
         data, scripts, size = {}, [], 0
         for run in unplayed if len(unplayed) <= STILLS else []:
@@ -244,13 +246,13 @@ def _axes_table(varied, fixed):
                         f"{unit_html(axis.unit)}</td><td>{len(axis.values)}</td><td class='t text grey'>"
                         f"{escape(_beginning(axis.meaning))}</td></tr>")
     rows = "".join(map(row, [*varied, *fixed]))
-    head = "<th class=t>axis</th><th class=t>values</th><th>how many</th><th class=t>what it is</th>"
+    head = "<th class=t>axis</th><th class=t>values</th><th>count</th><th class=t>meaning</th>"
     return (f"<div class='scroll'><table class='cards'><thead><tr>{head}</tr></thead>"
             f"<tbody>{rows}</tbody></table></div>")
 
 
 def _beginning(text, most=110):
-    """The beginning of a long text, to the end of a part of it."""
+    """A text, cut after a sentence or clause if it is longer than `most` characters."""
     if len(text) <= most:
         return text
     cut = max(text[:most].rfind(mark) for mark in (". ", "; ", ": ", ", "))
@@ -270,10 +272,10 @@ def main():
     parser.add_argument("--play", action="append", default=[], metavar="ID",
                         help="a run to be played: the beginning of its id, or part of its folder's name")
     parser.add_argument("--figures", choices=list(chart_files.NO_DATE), metavar="FORMAT",
-                        help="write the charts as files beside the page, too: %(choices)s")
-    parser.add_argument("--x", help="with --y: a chart against this number")
-    parser.add_argument("--y", help="with --x: a chart of this number")
-    parser.add_argument("--command", default="", help="the command that makes the page again, shown on it")
+                        help="also write the charts as files beside the page: %(choices)s")
+    parser.add_argument("--x", help="with --y: a chart against this metric or setting")
+    parser.add_argument("--y", help="with --x: a chart of this metric or setting")
+    parser.add_argument("--command", default="", help="the command that the page states as its origin")
     arguments = parser.parse_args()
     command = arguments.command or shlex.join(["./bendlab", "report", *map(str, arguments.results)])
     out = arguments.out or browser.cached_page(arguments.results)
@@ -293,12 +295,13 @@ def main():
     if files:
         print(files[0] if len(files) == 1 else f"{files[0].parent}: {len(files)} figures", flush=True)
     if arguments.open and not browser.opened(out.resolve().as_uri()):
-        tell("there is no browser to open it in: open the file yourself")
+        tell("there is no browser to open the page in: open the file yourself")
     return 0
 
 
 def written_figures(report, folder, arguments):
-    """Writes the charts that --figures asks for; with --x and --y only that chart. Returns the files."""
+    """Writes the charts as files if --figures is given; with --x and --y only the chart of these two metrics.
+    Returns the files."""
     if not arguments.figures:
         return []
     wanted = [chart for chart in report.charts if not arguments.x or chart["id"].endswith(ASKED)]
@@ -306,7 +309,7 @@ def written_figures(report, folder, arguments):
 
 
 def write_page(file, text):
-    """Writes a page; an older one stays until the new one replaces it."""
+    """Writes a page. An older page in this file stays until the new page is complete."""
     file.parent.mkdir(parents=True, exist_ok=True)
     part = file.with_name(f"{file.name}.{os.getpid()}.part")
     part.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""What a page says of one run: its worst number with its limit, why it failed, its config, its command."""
+"""What a page shows of one run: the metric nearest to its limit, why the run failed, config and command."""
 import json
 import math
 import shlex
@@ -14,8 +14,8 @@ from tables.numbers import number_text as number
 
 
 def worst(run, sweep):
-    """The metric that is nearest to its limit, or farthest beyond it: {label, value, limit, unit, held,
-    note}; else the largest stretch. None if there is neither."""
+    """The metric that is nearest to its limit, or farthest beyond the limit: {label, value, limit, unit,
+    held, note}. Without limits, the largest stretch; None if the run has no stretch."""
     if run.broken:
         broken = run.broken
         return {"label": broken["bound"].replace("_", " "), "value": json_number(broken["measured"]),
@@ -33,28 +33,28 @@ def worst(run, sweep):
 
 
 def json_number(value):
-    """A number for JSON. None stands for a number that was not finite."""
+    """A number for the JSON of a page; "∞" for None, which run files have if a number is not finite."""
     return "∞" if value is None else shortened(float(value))
 
 
 def why(run):
-    """Why a run is not complete, a sentence or two."""
+    """One or two sentences why a run failed or is not finished; "" for a complete run."""
     if run.status == "implausible" and run.broken:
         broken = run.broken
         limit = lambda name: number(math.inf if broken[name] is None else broken[name])
         where = f"vertex {broken['vertex']}" if broken.get("vertex", -1) >= 0 else "the cloth"
         constraint = broken.get("constraint") or {}
-        cause = (f" The {constraint['kind']} constraint moves it farthest, by "
+        cause = (f" There, a {constraint['kind']} constraint has the largest correction, "
                  f"{number(constraint['correction'])} m in one projection."
                  if constraint.get("kind") and constraint.get("correction") is not None else "")
         advice = f" Measured to help: {broken['advice'].rstrip('.')}." if broken.get("advice") else ""
         unit = "" if broken.get("unit") in (None, "1") else f" {broken['unit']}"
         return (f"At t = {number(broken['time'])} s {where} broke the bound on "
-                f"{broken['bound'].replace('_', ' ')}: {limit('measured')}{unit}, and the scene allows "
-                f"{limit('limit')}{unit}.{cause}{advice}")
+                f"{broken['bound'].replace('_', ' ')}: the value is {limit('measured')}{unit}, and the "
+                f"scene allows {limit('limit')}{unit}.{cause}{advice}")
     if run.status == "diverged":
         return run.provenance.get("message") or (
-            f"The run diverged at t = {number(simulated_s(run))} s; the page shows the frames before that.")
+            f"The run diverged at t = {number(simulated_s(run))} s; the page shows the earlier frames.")
     if run.status == "interrupted":
         return f"The run was stopped at t = {number(simulated_s(run))} s, or is still running."
     if run.status == "missing":
@@ -77,7 +77,7 @@ def in_short(run):
 
 
 def command(run, sweep):
-    """The one line that computes a run again."""
+    """The command that computes a run again."""
     if sweep.config and sweep.settings:
         return repeat.command(shown_path(sweep.config), run.point, sweep.axes, sweep.overrides)
     if run.file:
@@ -90,7 +90,7 @@ def view_command(run, sweep):
 
 
 def shown_path(path):
-    """A path as the user would type it in this folder."""
+    """A path as the user would type it in the current folder."""
     path = Path(path)
     try:
         return str(path.resolve().relative_to(Path.cwd()))
@@ -99,7 +99,7 @@ def shown_path(path):
 
 
 class Settings:
-    """The configs of many runs: one base config for the page, and the differences of each run from it."""
+    """The configs of many runs: one base config for the page, and what differs from the base for each run."""
 
     def __init__(self, runs):
         flat = {run.id: flattened(run.config) for run in runs if run.config}
@@ -112,7 +112,8 @@ class Settings:
         self._flat = flat
 
     def changes(self, run):
-        """Pointer → [value] where the run's config differs from the base, None where it lacks the setting."""
+        """Pointer → [value] of each setting that differs from the base config; None instead of [value] if the
+        run's config lacks the setting."""
         own = self._flat.get(run.id)
         if own is None:
             return None

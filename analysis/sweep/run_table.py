@@ -11,7 +11,7 @@ from web.html_parts import escape
 from sweep.answer import status_html
 
 COLUMNS, MOST_COLUMNS, MOST_AXES = 6, 9, 8
-FEW = 3  # commands of single runs that are listed
+FEW = 3  # most commands of single runs that are listed
 CHOICES = 24  # an axis with at most this many values has a list to choose from
 
 
@@ -27,14 +27,14 @@ class RunTable:
 
     def html(self):
         rows = "".join(map(self._row, self.report.runs))
-        return ("<p class='grey small'>A run opens from its id: how it moves, its worst number, config and "
+        return ("<p class='grey small'>Click the id of a run to see its motion, worst metric, config and "
                 "command.</p><div class='scroll tall' tabindex='0' role='region' aria-label='The runs'>"
                 f"<table class='sortable' data-rows='runs'><thead><tr>{''.join(self._head())}</tr></thead>"
                 f"<tbody>{rows}</tbody></table></div><h3>Repeat all runs</h3><pre>{escape(self._again())}"
                 "</pre>")
 
     def _columns(self):
-        """The first numbers of every sweep, and the time."""
+        """The metrics of the table: the first metrics of every sweep, and the CPU time."""
         columns = {}
         for numbers in self.report.numbers:
             for number in numbers[:COLUMNS]:
@@ -101,7 +101,7 @@ class RunTable:
                 runs = [run for run in sweep.runs if run.file]
                 lines += [run_facts.command(run, sweep) for run in runs[:FEW]]
                 if len(runs) > FEW:
-                    lines.append(f"# … and {len(runs) - FEW} more: each run has its command")
+                    lines.append(f"# … and {len(runs) - FEW} more runs: open a run to see its command")
         return "\n".join([*lines, f"{self.report.command}      # this page"])
 
 

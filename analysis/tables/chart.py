@@ -1,6 +1,6 @@
-"""A chart as a declaration over the rows of a table, and what draws it: pages and files have the same data.
+"""Charts of the rows of a table: the description of a chart, and the data from which pages and files draw it.
 
-analysis/viewer/README.md says what the data of a chart look like.
+analysis/viewer/README.md describes the data of a chart.
 """
 from dataclasses import dataclass, field
 
@@ -12,23 +12,24 @@ from tables.table import cell_text
 
 @dataclass
 class Chart:
-    """Curves or points of a table: a curve for each value of the columns `curve`, over the column `x`."""
+    """Curves or points of a table over the column `x`: a curve for each combination of values in the columns
+    `curve`."""
 
     id: str
     title: str
-    table: str  # its id
+    table: str  # the id of the table
     x: str  # a column
     ys: list  # columns of numbers to choose from
     curve: list = field(default_factory=lambda: ["model"])
     held: list = field(default_factory=list)  # columns of which one value at a time is shown
-    at: str = ""  # the value of the first held column that is shown first; "": the middle value
+    at: str = ""  # the value of held[0] with which the page begins; "": the middle value
     scale: str = "log"  # of x: linear, log, log2 or band (the values are names)
-    y_scale: str = ""  # log or linear; "": decided by the numbers
-    look: str = "model"  # the column that gives colours, "model" or "method"; "": by the places of curves
-    dashed: str = ""  # a column; curves of its first value are solid, those of its other values dashed
+    y_scale: str = ""  # log or linear; "": log if the numbers differ widely
+    look: str = "model"  # the column that gives colours, "model" or "method"; "": by the number of the curve
+    dashed: str = ""  # a column; curves with its first value are solid, curves with other values dashed
     theory: str = ""  # the id of a table with the same columns, drawn as lines without marks
     note: str = ""
-    limits: list = field(default_factory=list)  # (column of ys, value, text): lines across
+    limits: list = field(default_factory=list)  # (column of ys, value, text): lines across the chart
     on_top: bool = False  # above the sections of its page
     joined: bool = True  # whether lines join the points of a curve
     legend: bool = True
@@ -37,7 +38,7 @@ class Chart:
 
 
 def resolved(chart, tables, command):
-    """The data of a chart; None where no row of its table has a number. `tables`: id → Table."""
+    """The data of a chart; None if no row of its table has a number to draw. `tables`: id → Table."""
     table = tables.get(chart.table)
     rows = [row for row in table.rows
             if any(shortened(row.get(y)) is not None for y in chart.ys)] if table else []
@@ -87,7 +88,7 @@ def _held(column, rows):
 
 
 def _label(chart, table, row):
-    """The name of a row's curve. A number follows the name of its column."""
+    """The name of a row's curve: its values in the columns `curve`. A number follows its column's name."""
     parts = []
     for column in map(table.column, chart.curve):
         value = row.get(column.id, "")

@@ -1,7 +1,8 @@
-"""The verdict map of a claim: for which settings it holds, with a measured number for each.
+"""The verdict map of a claim: for which settings the claim holds, with a measured number for each.
 
-A map is a grid over everything that the paper leaves open. A dimension is one open question; a cell is one
-answer to each of them. The sentence under a map is derived from its cells.
+A map is a grid over the questions that the paper leaves open. A dimension of the grid is one question; a cell
+is one answer to every question. The sentence below a map is computed from the cells. Pages call a cell a box,
+because they also have cells of meshes.
 """
 import itertools
 from dataclasses import dataclass, field, fields, replace
@@ -13,29 +14,30 @@ from bendlab.results.load import group
 PINS = {"the corner alone": {"vertices": ["upper_right"], "ring": 0, "distance": 0},
         "the corner and its 1-ring": {"vertices": ["upper_right"], "ring": 1, "distance": 0},
         "a patch of 5 cm": {"vertices": ["upper_right"], "ring": 0, "distance": 0.05}}
-# By 256 substeps the strain has converged. Bending has not: with k each projection makes it stiffer.
+# With 256 substeps the strain has converged. Bending has not converged, because with k each projection makes
+# bending stiffer.
 SOLVERS = {(1, 10): "1 × 10", (4, 10): "4 × 10", (16, 10): "16 × 10", (256, 1): "256 × 1 (strain converged)"}
 DAMPINGS = {0: "no damping", 1: "viscous drag"}
 ROUNDINGS = {"floor": "rounded down", "round": "rounded"}
 
-# The open questions, as the beginnings of sentences that their answers complete. The order is that of rows
-# and columns; the paper answers the pins for its own springs.
+# The open questions, each as the beginning of a sentence that an answer completes, in the order of rows and
+# columns. The paper states what is pinned only for its own springs.
 DIMENSIONS = {"rounding": "m is", "damping": "there is", "solver": "substeps × iterations are",
               "pins": "what is pinned is", "cells": "N is"}
 
 
 @dataclass(frozen=True, order=True)
 class Place:
-    """One answer to each open question. `rounding` is "" for springs without levels."""
+    """One answer to each open question. `rounding` is "" for a model without the setting m_rounding."""
 
     rounding: str
     damping: str
     solver: str
     pins: str
-    cells: int | str  # text where a cell combines several N
+    cells: int | str  # a text if the cell combines several N
 
     def at(self, cells):
-        """The same answers at another N."""
+        """The place that differs from this place only in N."""
         return replace(self, cells=cells)
 
 
@@ -43,8 +45,8 @@ class Place:
 class Cell:
     text: str  # the measured number, or why there is none
     holds: bool | None  # None: no verdict
-    command: str = ""  # repeats it, one command per line
-    seeds: tuple = ()  # of the runs that it was measured on
+    command: str = ""  # the commands that repeat the measurement, one per line
+    seeds: tuple = ()  # of the measured runs
     open: bool = False  # there is no verdict because runs are missing
 
     @property
@@ -54,7 +56,7 @@ class Cell:
 
 @dataclass
 class ClaimMap:
-    """A claim of the paper, and where it holds."""
+    """A claim of the paper, and the cells in which it holds."""
 
     figure: str
     korean: str  # the paper's sentence; "" if the question is ours
@@ -63,8 +65,8 @@ class ClaimMap:
     number: str  # what the number in a cell is
     cells: dict = field(default_factory=dict)  # Place → Cell
     note: str = ""
-    of_torn: bool = False  # where the claim holds, the cloth is torn
-    # cells of --full are left out: their runs are missing, and could change the verdict
+    of_torn: bool = False  # the claim states that cloth is torn
+    # the map lacks the cells that only --full computes; they could change the verdict
     left_out: bool = False
 
     @property
@@ -79,8 +81,8 @@ class ClaimMap:
 
     @property
     def holds(self):
-        """True: the claim holds in every cell. False: in no cell. None: missing runs could still decide.
-        Otherwise the share of judged cells in which it holds."""
+        """True: the claim holds in every cell. False: the claim holds in no cell. None: the verdict depends
+        on missing runs. A number: the share of judged cells in which the claim holds."""
         if not self.judged:
             return None
         share = np.mean([cell.holds for cell in self.judged])
@@ -90,36 +92,38 @@ class ClaimMap:
 
     @property
     def sentence(self):
-        """holds | holds in some cells, and where | does not hold | open; how many cells are not judged"""
+        """The verdict in words: whether or where the claim holds, and how many cells are not judged."""
         good, count = sum(cell.holds for cell in self.judged), len(self.judged)
         if not count:
             return "open: no box has anything to judge" if self.cells and not self.open else "open: not run"
         if self.holds is None:
-            text = f"open: {'holds' if good else 'fails'} in all {count} boxes whose runs are there"
+            text = f"open: {'holds' if good else 'fails'} in all {count} boxes that have runs"
         elif self.holds in (True, False):
             text = "holds in every box" if self.holds else "does not hold in any box"
         else:
             text = self._where(good, count) + self._at_least_work()
         not_judged = len(self.cells) - count - self.open
-        return (text + (f"; {_cells(self.open, 'are')} open, because their runs are not there"
+        return (text + (f"; {_cells(self.open, 'are')} open, because runs are missing"
                         if self.open else "")
-                + ("; those of --full are not run" if self.left_out else "")
-                + (f"; {_cells(not_judged, 'have')} nothing to compare" if not_judged else ""))
+                + ("; the boxes of --full are not computed" if self.left_out else "")
+                + (f"; {_cells(not_judged, 'have')} no verdict" if not_judged else ""))
 
     def _at_least_work(self):
-        """In how many cells it holds with the work of the page's other figures (the paper states no work)."""
+        """In how many cells the claim holds with the substeps and iterations of the page's other figures. The
+        paper does not state these numbers."""
         work = next(iter(SOLVERS.values()))
         verdicts = [cell.holds for place, cell in self.cells.items()
                     if place.solver == work and cell.holds is not None]
-        return f"; at {work} alone in {sum(verdicts)} of {len(verdicts)}" if verdicts else ""
+        return (f"; in {sum(verdicts)} of the {len(verdicts)} boxes with {work} substeps × iterations"
+                if verdicts else "")
 
     def _where(self, good, count):
         """The sentence of a claim that holds in some cells."""
         best = region(self.cells)
         if best is None:
-            return f"holds in {good} of {count} boxes; no one or two answers decide where"
+            return f"holds in {good} of {count} boxes, without a simple pattern"
         text, covered = best[0], len(best[1])
-        where = f"wherever {text} ({covered}), and in {good - covered} beside these" if good > covered \
+        where = f"wherever {text} ({covered} boxes), and in {good - covered} more" if good > covered \
             else f"exactly where {text}"
         return f"holds in {good} of {count} boxes: {where}"
 
@@ -131,14 +135,14 @@ class ClaimMap:
                           for place, cell in sorted(self.cells.items())]}
 
     def kept(self):
-        """All fields as JSON, from which a page can be laid out again."""
+        """All fields as JSON, from which the HTML of the page can be made again."""
         cells = [{**place.__dict__, **cell.__dict__, "seeds": list(cell.seeds)}
                  for place, cell in sorted(self.cells.items())]
         return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"cells": cells}
 
     @classmethod
     def of_kept(cls, kept):
-        """The map of which kept() made this JSON."""
+        """The map from the JSON that kept() returned."""
         pick = lambda kind, entry: {name.name: entry[name.name] for name in fields(kind)}
         cells = {Place(**pick(Place, entry)):
                  Cell(**pick(Cell, entry) | {"seeds": tuple(entry["seeds"])}) for entry in kept["cells"]}
@@ -146,10 +150,10 @@ class ClaimMap:
 
 
 def region(cells):
-    """The largest set of cells that all hold and that answers to at most two questions describe.
+    """The largest set of cells in which the claim holds and which answers to one or two questions describe.
 
-    Returns (text, places), or None. A set with fewer than a twelfth of all cells does not count, nor does a
-    set with an open cell. Cells without anything to judge are ignored.
+    Returns (text, places), or None. A set has at least a twelfth of all cells, and no open cell. Cells with
+    complete runs but without a verdict do not count.
     """
     cells = {place: cell for place, cell in cells.items() if cell.holds is not None or cell.open}
     values = {name: sorted({getattr(place, name) for place in cells}, key=answer_rank(name))
@@ -200,17 +204,17 @@ def _listed(values):
 
 
 def solver_of(run):
-    """The answer to how much the solver works, or None."""
+    """The text in SOLVERS for the substeps and iterations of a run, or None."""
     return SOLVERS.get((run.get("/solver/substeps"), run.get("/solver/iterations")))
 
 
 def rounding_of(run):
-    """The answer to how m becomes an integer, "" for springs without levels."""
+    """How a run makes m an integer; "" for a model without the setting m_rounding."""
     return ROUNDINGS.get(run.get(f"/bending/{run.model}/m_rounding"), "")
 
 
 def place_of(run):
-    """The run's place on the map of hanging sheets, or None where it has none."""
+    """The place of a run on the map of hanging sheets, or None if the map has no such place."""
     held = {"ring": run.get("/pins/ring"), "distance": run.get("/pins/distance")}
     pins = next((name for name, section in PINS.items()
                  if all(section[key] == held[key] for key in held)), None)
@@ -221,7 +225,7 @@ def place_of(run):
 
 
 def places(runs):
-    """Place → runs that differ in their seeds alone."""
+    """Place → the runs with these answers, which differ only in their seeds."""
     by_place = group(runs, place_of)
     by_place.pop(None, None)
     return by_place

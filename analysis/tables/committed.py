@@ -1,7 +1,8 @@
 """Compares a page of your own runs with the committed page: which verdicts, runs and numbers agree, and how
 well.
 
-`./bendlab reproduce` ends with this table. By hand: python3 analysis/compare_pages.py results/own/paper
+`./bendlab reproduce` prints this comparison at its end. To print only the comparison:
+python3 analysis/compare_pages.py results/own/paper
 """
 import argparse
 import json
@@ -11,19 +12,19 @@ from pathlib import Path
 
 COMMITTED = Path(__file__).resolve().parents[2] / "results"  # the folder of the committed pages
 OWN = "own"  # the folder below it with the pages of your own runs; git ignores it
-ROUNDING = 1e-3  # relative difference of numbers that agree to rounding, at most
-MOST, FEW = 20, 8  # lines of a list on the terminal; of the list of open verdicts
+ROUNDING = 1e-3  # largest relative difference of numbers that agree to rounding
+MOST, FEW = 20, 8  # most lines of a list on the terminal, and of the list of open verdicts
 OPEN = "open"
 KEYS = ("figure", "claim", "setting", "check", "case", "experiment", "point", "model", "mesh", "precision",
         "method", "command")  # entries that together identify an object of a page's data
-NOT_IN_LABEL = ("command", "figure", "setting")  # too long for a label, or no help in it
+NOT_IN_LABEL = ("command", "figure", "setting")  # too long for a label, or not useful in it
 HOLDS = {True: "holds", False: "does not hold", None: OPEN}
 OF_THE_MACHINE = ("CPU", "seconds", "ms per frame")  # in the names of numbers that measure time
 
 
 @dataclass
 class Row:
-    """One verdict of a page, and the numbers behind it."""
+    """One verdict of a page, and the numbers from which it follows."""
 
     label: str
     verdict: str
@@ -36,13 +37,13 @@ class Comparison:
 
     verdicts: list  # (label, committed, own) of the verdicts that differ
     same_verdicts: int
-    not_made: int  # verdicts of the committed page that the own page lacks, or has open
+    not_made: int  # verdicts of the committed page that your page lacks, or has open
     exact: int  # numbers that agree in all digits that both pages keep
     rounded: int  # numbers that agree within ROUNDING
     numbers: list  # (label, committed, own) of the other numbers, largest difference first
-    same_bits: int  # number of runs, also below
-    other_bits: int
-    runs_not_made: int
+    same_bits: int  # number of runs that are equal to the last bit
+    other_bits: int  # number of runs that differ
+    runs_not_made: int  # number of runs that your page lacks
 
 
 def is_own(out):
@@ -56,7 +57,7 @@ def home(name, committed):
 
 
 def compared(committed, own):
-    """The Comparison of two folders of a page; None if one has no data."""
+    """Compares the folders of the committed page and of your page; None if either folder has no data."""
     theirs, mine = rows_of(committed), rows_of(own)
     if not theirs or not mine:
         return None
@@ -89,7 +90,7 @@ def _compare_numbers(row, other, digits, comparison):
 
 
 def _digits(rows):
-    """How many digits of its numbers a page keeps, at least 4. Older pages keep fewer digits."""
+    """The largest number of digits of a number on a page, at least 4. Older pages have fewer digits."""
     return max((4, *(len(f"{value:.9g}".split("e")[0].replace(".", "").replace("-", "").lstrip("0"))
                 for row in rows.values() for value in row.numbers.values() if value is not None)))
 
@@ -109,10 +110,10 @@ def _compare_bits(theirs, mine, comparison):
             comparison.other_bits += 1
 
 
-# --- what a page keeps -------------------------------------------------------------------------------------
+# --- the data of a page ------------------------------------------------------------------------------------
 
 def rows_of(folder):
-    """Key → Row of everything that a page judges."""
+    """Key → Row of every verdict of a page."""
     sections = _read(folder / "page.json")
     objects = [entry for section in sections for kind in ("claims", "checks") for entry in section[kind]]
     for name in ("summary.json", "methods.json"):
@@ -159,7 +160,7 @@ def _verdict(entry):
 
 
 def _numbers(entry):
-    """Name → number; a list gives several."""
+    """Name → number. A list of n numbers becomes n names with a number."""
     numbers = {name: value for name, value in entry.items()
                if name.startswith("error_") or name == "measured"}
     numbers |= entry.get("numbers", {})
@@ -174,7 +175,7 @@ def _numbers(entry):
 
 
 def _number(value):
-    """A number as JSON keeps it; None for text and NaN."""
+    """A value of JSON as a number; None for text and NaN."""
     if value in ("inf", "-inf"):
         return float(value)
     known = isinstance(value, (int, float)) and not isinstance(value, bool) and value == value
@@ -198,15 +199,15 @@ def _cells(kept):
 
 
 def _bits(folder):
-    """(config, place on its sweep) → bits of the run there, see section.Section.bits."""
+    """(config, point of its sweep) → the hash of the run at this point, see section.Section.bits."""
     return {(config, place): bits for section in _read(folder / "page.json")
             for config, runs in section.get("bits", {}).items() for place, bits in runs.items()}
 
 
-# --- as text and tables ------------------------------------------------------------------------------------
+# --- the comparison as text --------------------------------------------------------------------------------
 
 def summary_rows(comparison):
-    """(name, how many agree, how many do not, how many are not made here)."""
+    """Rows of (what is compared, how many agree, how many differ, how many your page lacks)."""
     changed = len(comparison.verdicts) - comparison.not_made
     rows = [("verdicts", comparison.same_verdicts, changed, comparison.not_made),
             ("numbers, equal in all digits kept", comparison.exact,
@@ -231,7 +232,7 @@ def text(comparison):
     opened = [verdict for verdict in comparison.verdicts if verdict[2] == OPEN]
     for title, verdicts, most in (
             ("Verdicts that differ:", changed, MOST),
-            ("Verdicts that are open here, because their runs are not made:", opened, FEW)):
+            ("Verdicts that are open on your page, because it lacks runs:", opened, FEW)):
         lines += _listed(title, [f"{committed} → {own}: {label}" for label, committed, own in verdicts], most)
     lines += _listed("Numbers that differ, the largest difference first:",
                      [f"{committed:.4g} → {own:.4g}: {label}"
@@ -240,12 +241,12 @@ def text(comparison):
 
 
 def _cause(comparison):
-    """Why verdicts and numbers differ although the runs made here are equal."""
+    """Why verdicts and numbers may differ although all your runs equal the committed runs."""
     if comparison.other_bits or not comparison.runs_not_made or not comparison.same_bits:
         return []
-    return ["", f"All {comparison.same_bits} runs made here equal those of the committed page, to the bit. "
-                f"The numbers and verdicts that differ also depend on its {comparison.runs_not_made} runs "
-                "that are not made here, most of them on finer meshes: --full makes them."]
+    return ["", f"All {comparison.same_bits} of your runs equal the runs of the committed page, to the bit. "
+                f"The numbers and verdicts that differ also depend on {comparison.runs_not_made} runs that "
+                "your page lacks, most of them on finer meshes. --full computes these runs."]
 
 
 def _listed(title, lines, most):
@@ -256,7 +257,8 @@ def _listed(title, lines, most):
 
 
 def _shortened(line, most=160):
-    """The line cut to `most` characters. Brackets at its end stay: they tell cells of one claim apart."""
+    """The line cut to `most` characters. Brackets at the end of the line stay, because the lines of a claim
+    differ only there."""
     if len(line) <= most:
         return line
     end = line[line.rindex(" ("):] if line.endswith(")") and " (" in line else ""
@@ -270,6 +272,6 @@ def main():
     own = arguments.page.resolve()
     comparison = compared(COMMITTED / own.name, own)
     if comparison is None:
-        print(f"{own} has no data to compare with {COMMITTED / own.name}")
+        print(f"{own} or {COMMITTED / own.name} has no verdicts to compare")
     else:
         print(text(comparison))

@@ -1,26 +1,27 @@
-"""How models, methods and other series look, on pages and in figures: colour, mark, line.
+"""The style (`look`) of models, methods and other series, on pages and in figures: colour, mark and line.
 
-A family of bending models has a kind of mark: springs are filled circles, hinges are open polygons, springs
+Each family of bending models has a kind of mark: springs a filled circle, hinges an open polygon, springs
 that push a filled plus, no bending a cross. Models and methods get their colours in the order in which the
-program lists them. So each has the same colour on all pages, also a new model or method.
+program lists them. So a model or method has the same colour on all pages, also if it is new.
 """
 import colorsys
 
 from bendlab.results import registry
 
-# In the order of the program's models. Of the first twelve, springs have the palette of Okabe and Ito. Hinges
-# differ from each other, and all further colours from all, for people with any colour vision.
+# In the order of the program's models. Springs among the first twelve have the palette of Okabe and Ito. With
+# any colour vision, people can tell apart the colours of hinges, and can tell colours after the first twelve
+# from all others.
 MODEL_COLOURS = ["#7f7f7f", "#d55e00", "#009e73", "#0072b2", "#cc79a7", "#e69f00", "#c2185b", "#000000",
                  "#8a4b08", "#5b3fa0", "#56b4e9", "#a3a500", "#a500ff", "#4b004b", "#0f3c1e", "#0f0069",
                  "#87b469", "#9687ff", "#783c78", "#6900b4"]
-# The marks (size in points) and lines of a family's models. Hinges often coincide: their marks are nested and
-# their lines are dashes over a solid one.
+# The marks (with size in points) and lines of the models in each family. Curves of hinges often coincide, so
+# their marks differ in size, and dashed lines are drawn over a solid line.
 FAMILY_MARKS = {"no bending": [("X", 5)], "springs": [("o", 4)], "springs that push": [("P", 6)],
                 "hinges": [("s", 8), ("D", 5.5), ("^", 4), ("v", 6)]}
 FAMILY_LINES = {"no bending": [":"], "springs": ["-"], "springs that push": ["-."],
                 "hinges": ["-", (0, (4, 8)), (6, (4, 8)), "--"]}
-# In the order of the program's methods: colour of the method, and of the method with a setting that a figure
-# shows apart.
+# In the order of the program's methods: (colour of the method, colour of the method with a setting that a
+# figure shows separately).
 METHOD_COLOURS = [("#d55e00", "#e69f00"), ("#5b3fa0", "#a500ff"), ("#000000", "#7f7f7f"),
                   ("#009e73", "#8a4b08"), ("#0072b2", "#56b4e9"), ("#cc79a7", "#c2185b"),
                   ("#a3a500", "#4b004b"), ("#0f3c1e", "#87b469"), ("#0f0069", "#9687ff"),
@@ -31,19 +32,19 @@ INK = "#22262b"  # of text, and of theory
 VARIANTS = [None, "7 4", "2 4", "8 4 2 4"]  # dashes of series that differ in one setting
 
 GROUNDS = {"light": "#ffffff", "dark": "#14171a"}  # --paper of viewer/src/page/page.css
-# smallest contrast of lines and marks with their ground; WCAG 2.2 asks for 3
+# smallest contrast of lines and marks with the background; WCAG 2.2 requires 3
 CONTRAST = {"light": 3.0, "dark": 4.5}
 MARKS = ["o", "s", "D", "^", "v", "P", "X"]
 DASHES = {":": "2 4", "-.": "8 4 2 4", "--": "7 5"}  # matplotlib's names → SVG
 
 
 def model_name(model, k=None):
-    """The name of a bending model as the program writes it; for springs to rings 1 … `k` with k."""
+    """The name of a bending model as the program writes it; the model k_ring with its k."""
     return model + (f", k = {k}" if model == "k_ring" and k else "")
 
 
 def family(model):
-    """The family of a model, a key of FAMILY_MARKS. Models of a family look alike."""
+    """The family of a model, a key of FAMILY_MARKS. Models of a family have similar marks and lines."""
     if registry.is_prestressed(model):
         return "springs that push"
     return {"nothing": "no bending", "hinges": "hinges"}.get(registry.made_of(model), "springs")
@@ -54,7 +55,7 @@ def _at(looks, place):
 
 
 def _method_colours(place):
-    """The two colours of a method; beyond the list, hues a golden angle apart."""
+    """The two colours of a method. Methods after METHOD_COLOURS have hues that differ by a golden angle."""
     if place < len(METHOD_COLOURS):
         return METHOD_COLOURS[place]
     hue = place * 0.618034 % 1
@@ -79,51 +80,51 @@ def marker(model):
 
 
 def method_look(method, variant=0):
-    """(colour, marker) of a solver method; `variant` 1: with a setting that a figure shows apart."""
+    """(colour, marker) of a solver method. `variant` 1: with a setting that a figure shows separately."""
     place = registry.method_place(method)
     return _at(_method_colours(place), variant), _at(_at(METHOD_MARKS, place), variant)
 
 
 def of_model(model):
-    """How a bending model's series is drawn: its family's kind of mark, its own colour."""
+    """The style of a bending model: the kind of mark of its family, and the colour of the model."""
     (mark, _), line = mark_and_line(model)
     dash = "4 5" if isinstance(line, tuple) else DASHES.get(line)
     return of_look(colour(model), mark, family(model) == "hinges", dash)
 
 
 def of_method(name):
-    """How a solver method's series is drawn. `name`: as Run.method gives it, its integrator after a comma."""
+    """The style of a solver method. `name`: the text of Run.method, with the integrator after a comma."""
     method, _, variant = name.partition(", ")
     return of_look(*method_look(method, bool(variant)))
 
 
 def of_variant(number):
-    """What the look of a series has in addition at this place in a list of variants."""
+    """The dash and hollow mark of a variant of a series, by the variant's number; {} for number 0."""
     dash = VARIANTS[number % len(VARIANTS)]
     return {"dash": dash, "hollow": True} if dash else {}
 
 
 def line():
-    """How a line of theory is drawn."""
+    """The style of a line of theory."""
     return of_look(INK, "o")
 
 
 def of_place(number):
-    """How the series of a place in a list is drawn."""
+    """The style of a series by its number in a list."""
     colours, round_ = SEQUENCE, number // len(SEQUENCE)
     return of_look(colours[number % len(colours)], MARKS[number % len(MARKS)], bool(round_ % 2),
                  [None, "7 4", "2 4"][round_ % 3])
 
 
 def of_look(colour, mark, hollow=False, dash=None):
-    """How a series of this colour, mark (one of MARKS) and dash is drawn."""
+    """The style of a series with this colour, mark (one of MARKS) and dash."""
     look = {name: readable(colour, ground, CONTRAST[name]) for name, ground in GROUNDS.items()}
     return look | {"mark": mark} | ({"hollow": True} if hollow else {}) | ({"dash": dash} if dash else {})
 
 
 def readable(colour, ground, least):
-    """The colour, made lighter or darker until it has enough contrast with the ground; its hue stays. A grey
-    without enough contrast is first mirrored: black becomes white."""
+    """The colour, made lighter or darker until it has enough contrast with the background; the hue stays. A
+    grey without enough contrast is inverted before: black becomes almost white."""
     red, green, blue = _rgb(colour)
     hue, light, full = colorsys.rgb_to_hls(red, green, blue)
     if contrast(colour, ground) < least and max(red, green, blue) - min(red, green, blue) < 0.1:
@@ -141,7 +142,7 @@ def _hex(hue, light, full):
 
 
 def contrast(colour, ground):
-    """Ratio of two colours' luminances, 1 to 21 (WCAG)."""
+    """The contrast of two colours, from 1 to 21: a ratio of their luminances (WCAG)."""
     low, high = sorted((luminance(colour), luminance(ground)))
     return (high + 0.05) / (low + 0.05)
 

@@ -1,4 +1,4 @@
-"""Numbers as texts of tables and pages, and as JSON keeps them."""
+"""Numbers as text for tables and pages, and as values for JSON."""
 import math
 
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -34,8 +34,8 @@ def shortened(value, digits=5):
 
 
 def rounded(value, digits=4):
-    """The same value with its numbers rounded to `digits` significant digits, also inside lists and
-    dictionaries. NaN becomes None, infinite numbers "inf" and "-inf"."""
+    """A value with all numbers rounded to `digits` significant digits, also inside lists and dictionaries.
+    NaN becomes None; infinite numbers become "inf" and "-inf"."""
     if isinstance(value, dict):
         return {str(key): rounded(entry, digits) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
@@ -49,12 +49,12 @@ def rounded(value, digits=4):
 
 
 def known(value):
-    """The inverse of rounded() for a value that was a number: None is NaN, "inf" infinite."""
+    """The number that rounded() turned into this value: NaN for None, an infinite number for "inf"."""
     if value is None:
         return math.nan
     return float(value) if value in ("inf", "-inf") else value
 
 
 def known_values(numbers):
-    """known() of every value of a dictionary."""
+    """Applies known() to every value of a dictionary."""
     return {name: known(value) for name, value in numbers.items()}

@@ -1,4 +1,4 @@
-"""What a figure gives to its page: charts, pictures, tables, checks, and claims with a rule."""
+"""A section of a page, which a figure makes: charts, pictures, tables, checks, and claims with a rule."""
 import hashlib
 import json
 from dataclasses import dataclass, field, fields, is_dataclass
@@ -28,13 +28,13 @@ class Claim:
 
 @dataclass
 class Check:
-    """A number known beforehand from theory or experiment, and the measured one."""
+    """A number that is known beforehand from theory or experiment, and the measured number."""
 
     check: str
     model: str
     mesh: str
     expected: float
-    measured: float  # NaN: no run, or the run lacks it
+    measured: float  # NaN: no run, or a run without this number
     tolerance: float  # relative or absolute, see `kind`
     source: str
     kind: str = "relative"  # or "absolute", or "most": measured is at most expected
@@ -64,13 +64,13 @@ class Check:
 
 @dataclass
 class Section:
-    """One part of a page. The page names it, and its figure fills it."""
+    """One part of a page. The page gives the id and title of a section, and a figure adds the content."""
 
     id: str  # its address in the page
     title: str
     link: str = ""  # its name in the navigation
     text: str = ""
-    figure: str = ""  # the paper's number
+    figure: str = ""  # the number of the paper's figure
     charts: list = field(default_factory=list)  # Chart
     pictures: list = field(default_factory=list)  # (file name, caption)
     tables: list = field(default_factory=list)  # Table
@@ -79,14 +79,14 @@ class Section:
     maps: list = field(default_factory=list)  # ClaimMap
     commands: list = field(default_factory=list)
     missing: list = field(default_factory=list)
-    origins: list = field(default_factory=list)  # of the runs that it used: commit, machine, date
-    # objects for a file beside the page; page.json does not have them
+    origins: list = field(default_factory=list)  # of the runs of the section: commit, machine, date
+    # objects for a JSON file beside the page; page.json does not contain these objects
     data: list = field(default_factory=list)
-    frames: object = None  # of cloth that moves in the page (draw/page_frames.py); only index.html has them
-    bits: dict = field(default_factory=dict)  # config → place on its sweep (short) → bits of the run there
+    frames: object = None  # frames of moving cloth (draw/page_frames.py), for index.html only
+    bits: dict = field(default_factory=dict)  # config → short(point of the sweep) → bits_of(run)
 
     def uses(self, experiment):
-        """Adds the experiment's command and its missing points to the section; returns its runs."""
+        """Adds an experiment's command and missing runs to the section. Returns the experiment's runs."""
         self.commands.append(experiment.command)
         self.origins += [origin_of(run) for run in experiment.runs[-1:]]
         self.bits[experiment.config] = {short(run.point): bits_of(run) for run in experiment.runs if run.over}
@@ -95,11 +95,11 @@ class Section:
         return experiment.runs
 
     def table(self, id):
-        """The rows of a table of the section, [] without it."""
+        """The rows of the section's table with this id; [] without such a table."""
         return next((table.rows for table in self.tables if table.id == id), [])
 
     def as_json(self):
-        """The section as JSON, from which its page can be laid out again without runs."""
+        """The section as JSON, from which the HTML of its page can be made again without runs."""
         kept = exactly({entry.name: getattr(self, entry.name) for entry in fields(self)
                         if entry.name not in ("maps", "tables", "data", "frames")})
         return rounded(kept, EXACT) | {"tables": [table.as_json() for table in self.tables],
@@ -115,13 +115,13 @@ class Section:
 
 
 def short(value):
-    """Eight letters that identify an object of JSON."""
+    """A hash of an object of JSON, eight letters long."""
     return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()[:8]
 
 
 def bits_of(run):
-    """Eight letters that are equal for two runs if all numbers of their summaries are equal to the last bit.
-    Times and memory do not count: they depend on the machine."""
+    """A hash of a run's summary: equal for two runs whose numbers are equal to the last bit. Times and memory
+    do not count, because they depend on the machine."""
     return short({name: float(value).hex() for name, value in run.summary.items()
                   if name not in ("cpu_s", "step_cpu_s", "wall_s", "memory_bytes")})
 

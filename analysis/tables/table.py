@@ -1,6 +1,6 @@
-"""Rows with named columns: the results of figures. Charts, pictures, tables and READMEs show them.
+"""Tables of the results of figures, for charts, pictures, pages and READMEs: rows with named columns.
 
-A row is a dictionary of raw numbers and texts. Only cell_text() makes a text of a number.
+A row is a dictionary of texts and of numbers that are not rounded. Only cell_text() writes a number as text.
 """
 from dataclasses import asdict, dataclass
 
@@ -17,7 +17,7 @@ class Column:
     unit: str = ""
     meaning: str = ""
     shown: bool = True  # whether tables show it; charts may use all columns
-    least: float = 0  # numbers below it are not known, and written as "below" it
+    least: float = 0  # a smaller number is not reliable; it is written as "below" and this number
 
     @property
     def title(self):
@@ -57,7 +57,7 @@ class Table:
 
     @classmethod
     def of_json(cls, kept):
-        """The table that as_json() wrote. A number that was NaN stays None."""
+        """The table that as_json() wrote. NaN was written as None, and stays None."""
         rows = [{name: _read(value) for name, value in row.items()} for row in kept["rows"]]
         return cls(kept["id"], kept["caption"], [Column(**column) for column in kept["columns"]], rows)
 
@@ -75,7 +75,7 @@ def is_number(value):
 
 
 def cell_text(value, form="", least=0):
-    """A value as text: whole numbers as they are, other numbers by `form`; a pair is a range."""
+    """A value as text: integers without change, other numbers in the format `form`, a pair as a range."""
     if least and is_number(value) and value is not None and value < least:
         return f"below {number(least, 2)}"
     if isinstance(value, (list, tuple)):

@@ -1,4 +1,4 @@
-"""HTML for every page: shell with style sheet and policy, sections, tables and numbers."""
+"""The HTML that all pages share: the frame with style sheet and security policy, sections, tables."""
 import base64
 import hashlib
 import html
@@ -51,9 +51,9 @@ class Made:
 def page(title, top, parts, made, data, frames="", places="", player=True):
     """A whole page as HTML: the part above the sections, the sections, and the origin.
 
-    `data` is what its scripts read (viewer/README.md), `frames` HTML of the scripts that hold frames,
-    `places` links to other pages. Nothing in the page runs but the viewer: its policy names the hashes of the
-    one script and the one style sheet. Without `player` the script is an eighth as long.
+    `data`: what the page's scripts read (viewer/README.md). `frames`: the script elements that hold frames.
+    `places`: links to other pages. The browser runs only the viewer's script, because the page's policy names
+    the hashes of this script and of the style sheet. Without `player` the script is an eighth as long.
     """
     script = _viewer("viewer.js" if player else "page.js")
     links = "".join(f"<a href='#{part.name}'>{escape(part.link or part.title)}</a>" for part in parts)
@@ -68,13 +68,13 @@ def page(title, top, parts, made, data, frames="", places="", player=True):
 
 
 def heading(name, title, level=2):
-    """A heading with an address; a link beside it shows the address."""
+    """A heading with an address, and a link to this address."""
     anchor = f"<a class='anchor' href='#{name}' aria-label='Address of this section'>#</a>"
     return f"<h{level} id='{name}'>{escape(title)}{anchor}</h{level}>"
 
 
 def json_text(data):
-    """JSON that can stand inside a script element, whatever its texts are."""
+    """JSON for the inside of a script element: no text in the JSON can end the element."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
     for character in "<>&\u2028\u2029":
         text = text.replace(character, f"\\u{ord(character):04x}")
@@ -92,24 +92,25 @@ def _head(title, scripts, live=False):
 
 
 def _hash(text):
-    """The name of a script or style sheet in a page's policy."""
+    """The hash of a script or style sheet, as a page's policy names it."""
     return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
 
 
 @lru_cache(maxsize=None)
 def _viewer(name):
-    """A file of the viewer's bundle. ValueError if its text would end its HTML element early."""
+    """A file of the viewer's bundle. ValueError if a text in the file would end an HTML element early."""
     text = (VIEWER / name).read_text(encoding="utf-8")
     if "</script" in text.lower() or "</style" in text.lower() or "<!--" in text:
-        raise ValueError(f"{VIEWER / name} cannot stand inside an HTML element")
+        raise ValueError(f"{VIEWER / name} has a text that would end its HTML element early")
     return text
 
 
 def section_part(section, heading_text, everything, verdicts=(), charts=()):
     """A section as a Part: charts and pictures, verdicts (HTML), text, missing runs, tables, commands.
 
-    The commands repeat the section's runs; `everything` is the last of them and repeats the page. `charts`:
-    pairs of the element of a chart (HTML; "" if it is elsewhere) and its file for print, or "".
+    `everything`: the command that repeats the page, after the commands that repeat the section's runs.
+    `charts`: pairs of a chart's HTML element ("" if the element is elsewhere in the page) and the chart's
+    file for print, or "".
     """
     first, rest = _beginning(section.text)
     parts = [f"<p>{escape(first)}</p>"] if first else []
@@ -134,7 +135,7 @@ def section_part(section, heading_text, everything, verdicts=(), charts=()):
 
 
 def folded(title, body):
-    """HTML that is folded away below its title."""
+    """HTML that is hidden until the reader clicks on its title."""
     return f"<details><summary>{escape(title)}</summary>{body}</details>"
 
 
@@ -145,7 +146,7 @@ def picture_html(name, caption):
 
 
 def address(title):
-    """A title as the address of its section: what-is-stable."""
+    """The address of the section with this title, such as what-is-stable."""
     return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
@@ -158,8 +159,8 @@ def _beginning(text, most=420):
 
 
 def table_html(table, opens=""):
-    """A table as HTML that sorts and filters; columns of texts are left-aligned. `opens`: a column of ids,
-    whose cells open their runs."""
+    """A table as HTML, which the reader can sort and filter. Columns of text are left-aligned. `opens`: a
+    column of run ids, whose cells open the runs."""
     columns, texts = [column for column in table.columns if column.shown], table.texts()
     if not texts:
         return ""
@@ -198,7 +199,7 @@ def _cell(of_text, value, text):
 
 
 def element(name, body="", **attributes):
-    """An element of HTML. Attributes without a value are left out; class_ is class, data_v is data-v."""
+    """An HTML element. Attributes without a value are left out. class_ means class; data_v means data-v."""
     text = "".join(f" {key.rstrip('_').replace('_', '-')}='{escape(value)}'"
                    for key, value in attributes.items() if value)
     return f"<{name}{text}>{body}</{name}>"

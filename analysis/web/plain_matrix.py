@@ -1,5 +1,5 @@
-"""Models × meshes of the plain scenes as HTML: how many runs broke a bound. A cell opens these runs. A run is
-given as its object in summary.json, with its id in the page."""
+"""A table of models × meshes of the plain scenes as HTML: how many runs broke a bound. A click on a cell
+opens these runs. The functions take runs as objects of summary.json, with the id of a run in the page."""
 from figures.plain.shares import MIXED, WRONG, in_order
 from web.html_parts import escape, heading
 from bendlab.results.load import group
@@ -10,7 +10,7 @@ TITLE = "Models and meshes"
 
 
 def matrix_html(judged):
-    """The matrix of the covering arrays' runs with its caption; "" without runs."""
+    """The table of the runs of the covering arrays, with its caption; "" without such runs."""
     mixed = [run for run in judged if run["config"] in MIXED]
     if not mixed:
         return ""
@@ -47,15 +47,15 @@ def _cell(name, runs):
 
 
 def _caption(mixed, runs):
-    """What the cells count, and what colours and rings mean. `runs`: number of runs on the page."""
-    text = ("Each cell: runs that broke a bound / all runs with this model on this mesh. The cells count the "
+    """The caption: what cells count, and what colours and rings mean. `runs`: number of runs on the page."""
+    text = ("A cell shows how many of the runs with its model and mesh broke a bound. The cells count the "
             f"{len(mixed)} runs of the covering arrays, in which all other settings are mixed evenly; the "
             f"tables below cover all {runs} runs.")
     verdicts = {run["verdict"] for run in mixed}
     if not verdicts & set(WRONG):
         return f"{text} No run broke a bound."
-    ring = ("A ring marks a cell with a run that was wrong without a warning." if SILENT in verdicts
-            else "Each of these got a warning; a ring would mark a cell with a run that got none.")
+    ring = ("A ring marks a cell in which a run broke a bound without a warning." if SILENT in verdicts
+            else "Each of these runs got a warning; a ring would mark a cell with a run that got no warning.")
     keys = "".join(f"<span><span class='swatch step-{i}' aria-hidden='true'></span>{name}</span>"
                    for i, name in enumerate(STEPS.values(), 1))
     return (f"{text} A coloured cell opens the runs that broke a bound. {ring}<span class='key'>Share that "

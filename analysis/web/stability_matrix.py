@@ -1,5 +1,5 @@
-"""The matrices of the hard cases as HTML, and the data of each run for the page's scripts. A run is given as
-its object in summary.json."""
+"""The tables of the hard cases as HTML, and the data of each run for the page's scripts. The functions take
+runs as objects of summary.json."""
 from collections import Counter
 from functools import lru_cache
 
@@ -23,12 +23,12 @@ NUMBERS = {"recovered_s": ("recovered at", "s", "when the cloth was last away fr
 
 
 def _kind(run):
-    """What tells apart the runs of a case and a model: the solver method, or the precision."""
+    """The setting in which the runs of a case and a model differ: the solver method, or the precision."""
     return run.get("method") or run["precision"]
 
 
 def shared(runs):
-    """The runs of the cases and precisions in which every model has a run: only these runs compare models."""
+    """The runs of cases and precisions for which every model has a run. Only these runs compare models."""
     models = {run["model"] for run in runs}
     places = group(runs, lambda run: (run["case"], run["precision"]))
     return [run for same_place in places.values() if {run["model"] for run in same_place} == models
@@ -49,7 +49,7 @@ def _share(runs, verdict):
 # --- models × groups of cases ------------------------------------------------------------------------------
 
 def groups_html(runs):
-    """The models × the groups of cases: how many of the runs are red, as a table that is cards on a phone."""
+    """A table of models × groups of cases: how many of the runs are red. On a phone, each row is a card."""
     titles = [title for title in SECTIONS if any(GROUP[run["case"]] == title for run in runs)]
     by_place = group(runs, lambda run: (run["model"], GROUP[run["case"]]))
     head = "".join(f"<th class='t'>{escape(title)}</th>" for title in ["all cases", *titles])
@@ -96,14 +96,16 @@ def key_html():
 # --- cases × models ----------------------------------------------------------------------------------------
 
 def cases_html(runs):
-    """(matrix of the cases whose verdicts differ, the most telling case first; other cases by colour)."""
+    """(a table of the cases whose runs have different verdicts, a list of the other cases by colour). The
+    table begins with the case that tells models apart best."""
     by_case = group(runs, lambda run: run["case"])
     telling, alike = folded(by_case)
     return _matrix(telling, by_case, models_of(runs)), alike
 
 
 def folded(by_case):
-    """As cases_html(), from name → runs, with the names of the cases in place of the matrix."""
+    """(the names of the cases in the table of cases_html(), the list of the other cases). `by_case`: name of
+    a case → runs."""
     telling = [name for name in by_case if len({run["verdict"] for run in by_case[name]}) > 1]
     telling.sort(key=lambda name: -discrimination(by_case[name]))
     alike = {}
@@ -114,8 +116,8 @@ def folded(by_case):
 
 
 def discrimination(runs):
-    """How well a case tells models apart: share of pairs of its runs whose verdicts differ, red counts
-    most."""
+    """How well a case tells models apart: the share of pairs of runs whose verdicts differ. A pair with a red
+    run counts three times."""
     counts = Counter(run["verdict"] for run in runs)
     red, amber, green = (counts[verdict] / len(runs) for verdict in VERDICTS)
     return 3 * red * (1 - red) + amber * green
@@ -153,7 +155,7 @@ def _full_title(name):
 
 
 def _alike_html(alike):
-    """The cases all of whose runs have one colour, by name."""
+    """The list of the cases in which all runs have the same colour."""
     if not alike:
         return ""
     rows = "".join(f"<li><span class='status {verdict}'>all {verdict}</span>: "
@@ -178,7 +180,7 @@ def data(runs):
 
 
 def _config(run):
-    """The path of its config below configs/."""
+    """The path of a run's config below configs/."""
     return run.get("config") or f"{FOLDER}/{CASE[run['case']].config}"
 
 
@@ -204,7 +206,7 @@ def _about(run, texts, configs, bases, models):
 
 @lru_cache(maxsize=None)
 def _axes(config, models):
-    """The sweep of a config with its values; "all" written out."""
+    """The sweep of a config, with all values in place of "all"."""
     choices = {"/bending/model": list(models), "/solver/precision": list(PRECISIONS)}
     sweep = read_config(config)["sweep"]
     return {pointer: choices.get(pointer, []) if values == "all" else values
@@ -213,14 +215,14 @@ def _axes(config, models):
 
 @lru_cache(maxsize=None)
 def _base(config, models):
-    """Pointer → value of a config at the first place of its sweep."""
+    """Pointer → value of a config at the first point of its sweep."""
     settings = read_config(config)
     points = planned_points(settings, _axes(config, models))
     return stated(settings, points[0])
 
 
 def _point(case, model, precision, models):
-    """The place on the sweep of a run of configs/stability."""
+    """The point of the sweep in configs/stability that has this case, model and precision."""
     config = f"{FOLDER}/{case.config}"
     settings, axes = read_config(config), _axes(config, models)
     wanted = {pointer: axes[pointer][value] if pointer == "/effects" else value
@@ -231,4 +233,4 @@ def _point(case, model, precision, models):
                 and all(point_key({key: point[key]}) == point_key({key: value})
                         for key, value in wanted.items())):
             return point
-    raise ValueError(f"no run of configs/{config}.json is {case.name}, {model}, {precision}")
+    raise ValueError(f"configs/{config}.json has no run of case {case.name} with {model}, {precision}")

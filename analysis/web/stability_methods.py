@@ -1,4 +1,4 @@
-"""The hard cases by other solver methods as HTML: a table of cases × methods, of the runs in methods.json."""
+"""The hard cases with other solver methods as HTML: a table of cases × methods, from runs in methods.json."""
 import numpy as np
 
 from web import stability_matrix
@@ -10,13 +10,14 @@ from runs.stability_cases import RED
 from web.stability_matrix import VERDICTS, full_title_html
 
 COLOURS = {"red": "unstable", "amber": "stable, not recovered", "green": "passes"}
-CELLS = ("A cell has the verdict of its worst model, and how many of its models have that verdict. A click "
-         "on it opens these runs, the worst first.")
-SCENES = ("The same cases on a coarser sheet, of 16 cells. Its membrane has a compliance and its bending a "
-          "physical stiffness, because implicit methods need energies. pbd has its default substeps, and one "
-          "in the case of one iteration; the others have one, and at most 10 (quasi_newton) or 20 iterations "
-          "(newton). newton runs with one model only, because it takes long. Energy is computed from the "
-          "stated compliance: with too few substeps of pbd, cloth that stays stretched has gained energy.")
+CELLS = ("A cell shows the verdict of its worst model, and how many of the models have this verdict. A click "
+         "on a cell opens the runs with this verdict, the worst run first.")
+SCENES = ("The same cases on a coarser sheet of 16 cells. The membrane has a compliance, and bending has a "
+          "physical stiffness, because implicit methods need energies. pbd has its default substeps; in the "
+          "case of one iteration it has one substep. The other methods have one substep, and at most 10 "
+          "iterations (quasi_newton) or 20 iterations (newton). newton runs with one model only, because it "
+          "takes long. Energy is computed from the stated compliance. So cloth that stays stretched, because "
+          "pbd has too few substeps, has gained energy.")
 
 
 def methods_html(runs):
@@ -38,12 +39,13 @@ def answer(runs):
 
 
 def cases_of(runs, verdict=None):
-    """The names of the cases that have a run with this verdict, or any run."""
+    """The names of the cases that have a run with this verdict; without a verdict, of all cases."""
     return {run["case"] for run in runs if verdict in (None, run["verdict"])}
 
 
 def table_html(runs):
-    """(the matrix of cases × methods for the cases whose verdicts differ; the other cases by colour)."""
+    """(a table of cases × methods for the cases whose runs have different verdicts, a list of the other cases
+    by colour)."""
     by_case = group(runs, lambda run: run["case"])
     methods = list(group(runs, lambda run: run["method"]))
     telling, alike = stability_matrix.folded(by_case)
@@ -59,7 +61,7 @@ def table_html(runs):
 
 
 def _cell(runs):
-    """The worst verdict of a case's models, as a cell that opens the runs that have it."""
+    """A cell with the worst verdict of the models in a case; it opens the runs with this verdict."""
     if not runs:
         return "<td class='t'></td>"
     verdict = next(colour for colour in VERDICTS if any(run["verdict"] == colour for run in runs))
@@ -70,7 +72,7 @@ def _cell(runs):
 
 
 def excess(run):
-    """How far beyond its limit the worst number of a run is."""
+    """The worst number of a run as a multiple of the number's limit."""
     worst = known_values(run["worst"])
     return np.nan_to_num(worst["value"] / worst["limit"], nan=np.inf) if worst["limit"] else np.inf
 

@@ -8,7 +8,7 @@ KIND = {"yes": "holds", "no": "fails", "open": "none"}  # CSS class of a verdict
 
 
 def mark(claim):
-    """(class, text) of the verdict of a claim or a check."""
+    """(CSS class, text) of the verdict of a claim or a check."""
     if claim.holds is None:
         return "open", "no runs"
     return ("yes", "holds") if claim.holds else ("no", "does not hold")
@@ -19,7 +19,7 @@ def verdict_html(kind, text):
 
 
 def cards_html(rows):
-    """Rows of (name, text, class and text of the verdict) as a table, whose rows are cards on a phone."""
+    """A table of rows (name, text, (CSS class, text) of the verdict). On a phone, each row is a card."""
     body = "".join(f"<tr><td class='t'>{name}</td><td class='t text'>{text}</td><td class='t'>"
                    f"{verdict_html(*verdict)}</td></tr>" for name, text, verdict in rows)
     return f"<div class='scroll'><table class='overview cards'><tbody>{body}</tbody></table></div>"
@@ -46,19 +46,19 @@ def _shown(value):
 
 
 def checks_html(checks):
-    """Checks as HTML: how many hold, then a folded table, in which those that do not hold come first."""
+    """Checks as HTML: how many hold, then a folded table, which begins with the checks that do not hold."""
     if not checks:
         return ""
     failed = [check for check in checks if check.holds is False]
     rest = [check for check in checks if check.holds is not False]
     kind, text = tally(checks)
     return f"<p>{verdict_html(kind, text)}</p>" + folded(
-        f"All {len(checks)} checks" + (", first what does not hold" if failed else ""),
+        f"All {len(checks)} checks" + (", failed checks first" if failed else ""),
         table_html(_checks_table(failed + rest)))
 
 
 def tally(checks):
-    """(class, text) of how many of these checks hold."""
+    """(CSS class, text): how many of these checks hold."""
     known = [check for check in checks if check.holds is not None]
     held = sum(check.holds for check in known)
     if not known:
@@ -84,7 +84,7 @@ def _checks_table(checks):
 # --- maps --------------------------------------------------------------------------------------------------
 
 def map_mark(claim_map):
-    """(CSS class, text) of the verdict of a map: one to three words. The full sentence stands below."""
+    """(CSS class, text) of the verdict of a map: one to three words. The full sentence is below."""
     if claim_map.holds is None:
         return "open", "open"
     if isinstance(claim_map.holds, float):
@@ -93,17 +93,17 @@ def map_mark(claim_map):
 
 
 def map_html(claim_map, name):
-    """The map of a claim: its sentence, its rule, and a table whose cells open; `name` begins their ids."""
+    """The map of a claim as HTML: its sentence, its rule, and a table. Ids of cells begin with `name`."""
     kind, verdict = map_mark(claim_map)
     korean = f"<p class='korean' lang='ko'>{escape(claim_map.korean)}</p>" if claim_map.korean else ""
     note = f"<p>{escape(claim_map.note)}</p>" if claim_map.note else ""
     quoted = "“{}”" if claim_map.korean else "{}"  # without the paper's sentence the claim is ours
     return (f"<div class='claim {kind}'><p>{quoted.format(escape(claim_map.english))} "
             f"{verdict_html(kind, verdict)}</p>{korean}<p><b>{escape(claim_map.sentence)}</b></p>"
-            f"{_map_table(claim_map, name)}<p class='rule'>A cell holds "
+            f"{_map_table(claim_map, name)}<p class='rule'>The claim holds in a box "
             f"({'torn' if claim_map.of_torn else '✓'}) if "
-            f"{escape(claim_map.rule)}. Its number: {escape(claim_map.number)}. A click on a box shows the "
-            f"commands that repeat it.</p>{note}</div>")
+            f"{escape(claim_map.rule)}. The number in a box: {escape(claim_map.number)}. Click a box to "
+            f"see the commands that repeat it.</p>{note}</div>")
 
 
 def map_cells(claim_map, name):

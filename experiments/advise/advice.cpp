@@ -15,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-// The reason of a config error, without model and method, which the list of settings names already.
+// The reason of a config error. The text omits model and method, which the list of settings names already.
 std::string reason(const ConfigError& error, const std::string& model) {
   const ConfigProblem& problem = error.problems().front();
   std::string why = fmt::format("{} {}", problem.pointer, problem.message);
@@ -56,7 +56,8 @@ class Advisor {
     const std::vector<SettingKind> probe = possible({kind_of(reference.probe)});
     kinds.insert(kinds.begin(), probe.begin(), probe.end());
     if (!reference.tells()) choose(run({reference.probe}));
-    // The reference of a motion is only as exact as its own time step.
+    // The reference of a motion has an error, too. So no setting has more than a quarter of the reference's
+    // substeps.
     constexpr int most = 512;
     Search search(
         options_.demand, reference.of == ErrorOf::motion ? std::min(most, reference.substeps / 4) : most,
@@ -94,7 +95,7 @@ class Advisor {
     return kinds;
   }
 
-  // From the best setting so far: other models with its solver, and other meshes.
+  // Settings like the best setting so far, but with another model or with another mesh.
   std::vector<SettingKind> neighbours(const Setting& setting) const {
     std::vector<SettingKind> kinds;
     for (const BendingKind* model : bending_models())
@@ -107,7 +108,8 @@ class Advisor {
     return kinds;
   }
 
-  // The kinds that are asked for and that the scene allows. Lists the other kinds with the reason.
+  // The kinds of settings that the user asks for and the scene allows. Adds kinds that the scene refuses to
+  // `left_out`, with the reason.
   std::vector<SettingKind> possible(const std::vector<SettingKind>& kinds) {
     std::vector<SettingKind> allowed;
     for (const SettingKind& kind : kinds) {
@@ -128,7 +130,7 @@ class Advisor {
 
   // ---- runs
 
-  // Runs the settings that are expected to end in time. Returns the trials that did.
+  // Runs the settings that are expected to end within the time limit. Returns the trials that ended.
   std::vector<Trial> run(const std::vector<Setting>& settings) {
     std::vector<Trial> trials;
     if (runs_.over()) return trials;
@@ -140,8 +142,8 @@ class Advisor {
     return trials;
   }
 
-  // Compares the strain and stretch of a trial with those of the reference. False if the run was stopped, or
-  // failed.
+  // Compares a trial's strain and stretch with the strain and stretch of the reference. False if the run was
+  // stopped or failed.
   bool is_measured(Trial& trial) {
     const std::string text = setting_text(trial.setting);
     if (trial.unfinished) advice_.not_tried.push_back(trial.setting);
@@ -160,13 +162,12 @@ class Advisor {
     return true;
   }
 
-  // With iterations that have not converged, the cloth lags behind its motion: a pose may be right by
-  // accident, on the way to another pose. So the choice is run for longer, and its error has to stay. False
-  // if it stays, or if the time is over.
+  // If iterations have not converged, the cloth creeps, and a pose on its way may be right by accident. So
+  // the chosen setting is run for a longer time, and is rejected if its error grows. True if it is rejected.
   bool reject_creeping(Search& search) {
     const Trial& choice = *advice_.choice;
     const Json& accuracy = advice_.reference.accuracy;
-    constexpr double longer = 4, much_the_same = 1.1, small = 1e-3;  // sizes
+    constexpr double longer = 4, much_the_same = 1.1, small = 1e-3;  // small: in sizes of the mesh
     if (advice_.reference.of != ErrorOf::rest || !unfit(choice).empty() ||
         find_method(choice.setting.method)->projects || !runs_.in_time(choice.setting, accuracy, longer))
       return false;
@@ -196,7 +197,7 @@ class Advisor {
     return advice_.choice.has_value();
   }
 
-  // Lists the best setting of each model and of each method that has no setting on the front that is shown.
+  // Adds the best setting of each model and each method that the printed table lacks to `left_out`.
   void list_behind_front() {
     for (const auto group : {&Setting::method, &Setting::model}) {
       std::map<std::string, std::vector<Trial>> behind;
@@ -206,7 +207,7 @@ class Advisor {
     }
     if (creeping_ > 0)
       advice_.left_out.push_back(
-          {counted(creeping_, "setting") + ", whose pose does not stay", "the last is " + creeps_});
+          {counted(creeping_, "setting") + ", whose pose still changes", "the last is " + creeps_});
   }
 
   std::string best_text(const std::vector<Trial>& trials) const {
@@ -223,7 +224,7 @@ class Advisor {
   const std::function<void(const std::string&)>& report_;
   Runs runs_;
   std::optional<ConfigError> refused_;  // the first reason why a setting is impossible
-  std::size_t creeping_ = 0;            // settings whose pose did not stay
+  std::size_t creeping_ = 0;            // settings whose pose changed in a longer run
   std::string creeps_;                  // the last such setting
   Advice advice_;
 };

@@ -14,7 +14,7 @@ struct AdviceOptions {
   Demand demand;
   std::optional<ErrorOf> error_of = std::nullopt;  ///< nothing: Question::natural_error()
   std::vector<std::string> models;                 ///< empty: every registered model
-  std::vector<std::string> methods;                ///< of the measured fronts; empty: all methods
+  std::vector<std::string> methods;                ///< empty: all methods of the measured fronts
   double time_limit_s = 120;                       ///< wall time of all runs, including the reference
   CampaignOptions campaign;                        ///< runs lie below <out>/advise/<name>
 };
@@ -26,23 +26,23 @@ struct LeftOut {
 struct Advice {
   KnownReference reference;
   std::vector<Trial> trials;
-  std::vector<Trial> front;     ///< of the fit trials
-  std::optional<Trial> choice;  ///< the trial that suits the demand, or the nearest, which may be unfit
+  std::vector<Trial> front;     ///< the fit trials that are more accurate than every faster fit trial
+  std::optional<Trial> choice;  ///< the trial that meets the demand, or the nearest one, which may be unfit
   bool is_met = false;          ///< the choice meets the demand, and the reference is accurate enough
   std::vector<LeftOut> left_out;
   std::vector<Setting> not_tried;  ///< because the time limit was reached
   int computed = 0;                ///< number of runs that were not complete before
-  /// The code of a signal, or of an error that every run would have (files, mesh). Unless it is 0, the advice
-  /// is incomplete.
+  /// 0, or the exit code for a signal or for an error that every run would have (files, mesh). If the exit
+  /// code is not 0, the advice is incomplete.
   int exit_code = 0;
 
-  /// Whether a setting that was run may be advised for a larger error, or for more time.
+  /// Whether a setting could be advised if a larger error or more time were allowed.
   bool anything_fit() const { return reference.tells() && !front.empty(); }
 };
 
-/// `report` gets a line about the progress from time to time. Throws like Question::experiment_with() if no
-/// model can represent this cloth, and std::runtime_error if there is no reference, or no reference within
-/// the time limit.
+/// Calls `report` with a line about the progress from time to time. Throws like Question::experiment_with()
+/// if no model can represent this cloth, and std::runtime_error if there is no reference, or no reference
+/// within the time limit.
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& report);
 

@@ -38,31 +38,33 @@ void check_is_one_scene(const Experiment& experiment, const std::string& source)
                                         experiment.runs.size(), choice)}});
   for (const auto& [pointer, values] : experiment.axes)
     if (lies_within(pointer, "/solver") && pointer != "/solver")
-      throw ConfigError(source, {{child_pointer("/sweep", pointer),
-                                  "sweeps a setting that is to be advised: write its value in /solver"}});
+      throw ConfigError(
+          source,
+          {{child_pointer("/sweep", pointer),
+            "sweeps a setting of the solver, but advice needs one value: write this value in /solver"}});
 }
 
 void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
   const Bending& bending = scene.scene().bending;
   if (bending.stiffness != Stiffness::physical)
     throw ConfigError(
-        source,
-        {{"/bending/stiffness",
-          fmt::format(
-              "is {}, which makes another cloth with every model and setting, so no result is right; state "
-              "the cloth: \"bending\": {{\"stiffness\": \"physical\", \"flexural_rigidity\": B}}, B in N m "
-              "(cotton about 1e-5); springs have this rigidity at \"at_curvature\" (20/m by default)",
-              value_at(scene.resolved(), "/bending/stiffness")->get<std::string>())}});
+        source, {{"/bending/stiffness",
+                  fmt::format("is {}: every model and setting then simulates a different cloth, and there is "
+                              "no correct result. State the cloth: \"bending\": {{\"stiffness\": "
+                              "\"physical\", \"flexural_rigidity\": B}}, B in N m (cotton about 1e-5); "
+                              "springs have this rigidity at \"at_curvature\" (20/m by default)",
+                              value_at(scene.resolved(), "/bending/stiffness")->get<std::string>())}});
   if (!bending.model.kind().bends && !bending.flexural_rigidity)
-    throw ConfigError(source, {{"/bending/model",
-                                "is none, which has no bending stiffness: set flexural_rigidity (in N m), or "
-                                "choose the spring model for quartic_coefficient"}});
+    throw ConfigError(source,
+                      {{"/bending/model",
+                        "is none, a model without bending, but only springs have a quartic_coefficient: "
+                        "choose a spring model, or state flexural_rigidity (in N m) instead"}});
   const Accuracy& accuracy = scene.settings().accuracy;
   if (accuracy.solver && !accuracy.physical)
     throw ConfigError(source,
                       {{"/accuracy/physical",
-                        "is missing: models are compared with one stated cloth, but /accuracy/solver "
-                        "compares a model with itself. Name the reference here, or remove /accuracy"}});
+                        "is missing: advice compares every model with the stated cloth, but /accuracy/solver "
+                        "compares a model with itself. State a reference here, or remove /accuracy"}});
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// The scene for which advice is asked: the cloth that it states, the reference for errors, and the runs.
+// The scene for which `bendlab advise` finds settings, the runs of this scene, and the reference for errors.
 //
-// The reference is the cloth that the config states. Hinges are calibrated to its flexural rigidity; a
-// quartic cloth, which hinges can't represent, has the config's own springs. The membrane is that of the
-// config if it has a compliance, else a membrane that hardly stretches (stiff_membrane). The equilibrium
-// solver finds the pose at rest, and many substeps find the motion. An equilibrium leaves out effects that
-// help a solver but do nothing to the stated cloth at rest (tethers, bounds on the strain, damping).
+// The reference simulates the cloth that the config states. The reference bends like a sheet of hinges with
+// the stated flexural rigidity. Hinges can't represent a quartic cloth, for which the reference has the
+// config's springs. For errors of the motion the reference takes many substeps. For errors of the pose at
+// rest the equilibrium solver computes the reference. An equilibrium leaves out effects that do not change
+// the pose at rest (tethers, bounds on the strain, damping). If the config states no compliance of the
+// membrane, the membrane of an equilibrium hardly stretches (stiff_membrane).
 #pragma once
 
 #include <filesystem>
@@ -16,23 +17,22 @@
 
 namespace bendlab {
 
-/// Compliance of a membrane that hardly stretches, m/N. The stated cloth has it if its membrane has no
-/// compliance.
+/// Compliance of a membrane that hardly stretches, m/N: for an equilibrium whose config states no compliance.
 inline constexpr double stiff_membrane = 1e-5;
 
 /// The fewest cells that a mesh of a scene may have.
 inline constexpr int fewest_cells = 4;
 
-/// The kind of error: of the settled pose, of the motion, or against the reference of the config's own
+/// Which error counts: of the pose at rest, of the motion, or against the reference in the config's
 /// /accuracy.
 enum class ErrorOf { rest, motion, own };
 
-/// The reference that errors are measured against. It is the same for every setting.
+/// Describes the reference that the errors of all settings are measured against.
 struct Reference {
   ErrorOf of = ErrorOf::rest;
-  bool start_from_end = false;  ///< for many equilibria: the one near each run's end
+  bool start_from_end = false;  ///< if there are many equilibria: the search starts at a run's end
   int cells = 0;                ///< 0: the config's own mesh
-  int substeps = 0;             ///< of a motion; half as many show the reference's own error
+  int substeps = 0;             ///< of a motion; a run with half as many shows the reference's own error
 };
 
 class Question {
@@ -44,32 +44,32 @@ class Question {
   const RunConfig& scene() const { return scene_; }
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
-  /// Whether the config states no rigidity, so that the cloth is a light cotton.
+  /// Whether the config states no rigidity; the cloth then has the default, a light cotton.
   bool rigidity_is_default() const { return rigidity_is_default_; }
 
-  /// The setting that the config itself has.
+  /// The setting that the config states.
   Setting own_setting() const;
 
-  /// The number of cells if it may vary, else 0. It may vary if another number gives the same scene on
-  /// another mesh: for a generated flat sheet whose vertices are named by place.
+  /// The config's number of cells; 0 if another number of cells would change the scene. Cells may vary on a
+  /// flat generated sheet if pins and effects name no vertex by its index.
   int cells_that_may_vary() const;
 
-  /// `own` if the config has an /accuracy; `rest` if a pinned cloth starts at rest, and only loads and
-  /// damping act on it; else `motion`.
+  /// `own` for a config with /accuracy. `rest` for a pinned cloth that starts at rest, with only loads and
+  /// damping. `motion` for all other scenes.
   ErrorOf natural_error() const;
 
   /// The section /accuracy of runs that are compared with `reference`.
   Json accuracy(const Reference& reference) const;
 
-  /// One run of the scene with `setting`, `times` as long. Throws ConfigError if the model cannot represent
-  /// this cloth.
+  /// One run of the scene with `setting`; /duration is multiplied by `times`. Throws ConfigError if the
+  /// model cannot represent this cloth.
   Experiment experiment_with(const Setting& setting, const Json& accuracy, double times = 1) const;
 
   /// The changes that give the config this setting, in the form "/json/pointer=value".
   std::vector<std::string> changes(const Setting& setting) const;
 
-  /// The config with this setting, to be written into `folder`. Leaves out /accuracy, and expectations of
-  /// other settings.
+  /// The config with this setting, to be written into `folder`. Leaves out /accuracy, and expectations that
+  /// hold only for some settings (`where`).
   Json written(const Setting& setting, const std::filesystem::path& folder) const;
 
  private:
@@ -83,7 +83,7 @@ class Question {
   std::string name_, reference_model_;
 };
 
-/// The first method that projects constraints. References of a motion use it.
+/// The first registered method that projects constraints, which computes references of a motion.
 Method method_that_projects();
 
 }  // namespace bendlab

@@ -17,7 +17,7 @@ double least(const std::vector<Trial>& trials, double Trial::*value) {
   return (*std::ranges::min_element(trials, {}, value)).*value;
 }
 
-// Why trials are unfit, if all are unfit: how many trials for each reason, and the value of the best trial.
+// The reasons why all trials are unfit, each with the number of trials and the value of the best trial.
 std::string unfit_text(const std::vector<Trial>& trials, double reference_strain) {
   std::map<std::string_view, std::vector<Trial>> by_reason;
   for (const Trial& trial : trials) by_reason[unfit(trial)].push_back(trial);
@@ -37,13 +37,12 @@ std::string unfit_text(const std::vector<Trial>& trials, double reference_strain
         fmt::format("{} stretched a triangle to more than {} times its length (the smallest: {:.3g})",
                     rejected.size(), largest_stretch, least(rejected, &Trial::stretch)));
   if (const auto& rejected = by_reason["error"]; !rejected.empty())
-    parts.push_back(fmt::format("{} had more than {} of error (the smallest: {})", rejected.size(),
+    parts.push_back(fmt::format("{} had an error above {} (the smallest: {})", rejected.size(),
                                 percent_text(largest_error), percent_text(least(rejected, &Trial::error))));
   return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
-// Whether all settings have about the same error. If the settings agree with each other, something else is
-// wrong.
+// Whether all settings have about the same error: then the settings are not the cause of the error.
 bool all_alike(const std::vector<Trial>& trials) {
   constexpr std::size_t enough = 4;
   constexpr double alike = 1.1;
@@ -55,13 +54,13 @@ bool all_alike(const std::vector<Trial>& trials) {
 std::string reference_text(const KnownReference& reference) {
   if (!(reference.strain <= largest_reference_strain))
     return fmt::format(
-        "The reference itself is stretched by {} (rms), more than any cloth, so errors against it mean "
-        "nothing: it flew apart, or lengths are not in metres, the density is not in kg/m², or the "
-        "membrane's compliance is not in m/N.",
+        "The reference itself is stretched by {} (rms), more than any cloth, so errors against the reference "
+        "mean nothing. Either the reference flew apart, or a unit is wrong: lengths are in metres, the "
+        "density in kg/m², the membrane's compliance in m/N.",
         percent_text(reference.strain));
   return fmt::format(
-      "The reference itself has an error of {}, so errors against it mean nothing: cloth that falls and "
-      "folds moves chaotically. With a shorter /duration the reference is more accurate.",
+      "The reference itself has an error of {}, so errors against the reference mean nothing: cloth that "
+      "falls and folds moves chaotically. With a shorter /duration the reference is more accurate.",
       percent_text(*reference.gap));
 }
 
@@ -70,9 +69,9 @@ std::string budget_text(const Advice& advice, double budget) {
   std::ranges::copy_if(advice.trials, std::back_inserter(within),
                        [&](const Trial& trial) { return trial.cpu_s <= budget; });
   if (within.empty())
-    return fmt::format("Nothing is that fast: the fastest setting takes {:.3g} ms.",
+    return fmt::format("No setting is that fast: the fastest setting takes {:.3g} ms.",
                        1e3 * least(advice.trials, &Trial::cpu_s));
-  return fmt::format("No fit setting was found within that time. Of {} that fast, {}",
+  return fmt::format("No setting that is fast enough gives a usable result. Of {} that fast, {}",
                      counted(within.size(), "setting"), unfit_text(within, advice.reference.strain));
 }
 
@@ -97,10 +96,10 @@ std::vector<std::string> why_none(const Advice& advice, const AdviceOptions& opt
   if (advice.front.empty() && all_alike(advice.trials))
     sentences.emplace_back(
         "All settings agree with each other, but not with the reference: the cloth has not come to rest by "
-        "the end of /duration, or it rests in another pose than the reference.");
+        "the end of /duration, or the cloth rests in another pose than the reference.");
   if (const std::size_t count = advice.not_tried.size(); count > 0)
     sentences.push_back(fmt::format(
-        "{} not tried within the time limit ({:.4g} s): run the same command again to go on, or give a "
+        "{} not tried within the time limit ({:.4g} s): run the same command again to continue, or give a "
         "longer --time-limit.",
         count == 1 ? "A setting was" : fmt::format("{} settings were", count), options.time_limit_s));
   return sentences;

@@ -19,7 +19,7 @@ class ReferenceChooser {
   ReferenceChooser(const Question& question, Runs& runs, std::optional<ErrorOf> error_of)
       : question_(question), runs_(runs), error_of_(error_of), limit_s_(runs.left_s()) {}
 
-  // If there is no equilibrium, the motion is compared.
+  // Without an equilibrium, a reference of the motion is chosen.
   KnownReference choose() {
     const ErrorOf of = error_of_.value_or(question_.natural_error());
     if (!find_reference(of) && runs_.exit_code() == 0) find_reference(ErrorOf::motion);
@@ -27,10 +27,10 @@ class ReferenceChooser {
   }
 
  private:
-  // Finds the finest reference that fits into its share of the time. A motion first gets fewer substeps. Then
-  // either kind of reference gets half as many cells, where errors are nearly the same; a reference on even
-  // fewer cells says little about a fine mesh. False if the scene has no such reference, or with an exit
-  // code.
+  // Finds the finest reference that can be computed in a share of the time that is left. First, the substeps
+  // of a motion are reduced. Then the number of cells is halved, which hardly changes the errors. With still
+  // fewer cells, the reference would say little about a fine mesh. False if the scene has no reference of
+  // this kind, or if `runs_` has an exit code.
   bool find_reference(ErrorOf of) {
     const int half = of == ErrorOf::own ? 0 : question_.cells_that_may_vary() / 2;
     const std::vector<int> meshes = half >= fewest_cells ? std::vector{0, half} : std::vector{0};
@@ -50,13 +50,13 @@ class ReferenceChooser {
         break;
       }
     throw std::runtime_error(fmt::format(
-        "no advice is possible within --time-limit ({:.3g} s): the reference alone {}, even at its coarsest. "
-        "Give --time-limit {:.0f}s; with it, the same command goes on where this one stopped",
+        "no advice is possible within --time-limit ({:.3g} s): even the coarsest reference {}. Give "
+        "--time-limit {:.0f}s; the command then continues from the runs that are done",
         limit_s_, too_slow ? "takes too long" : "is expected to take " + duration_text(expected_s),
         std::ceil(too_slow ? 4 * limit_s_ : 1.5 * expected_s / share_of_reference)));
   }
 
-  // The expected CPU seconds of the reference, and of the coarser reference that shows its error.
+  // The expected CPU seconds of the reference, and of the coarser reference for the reference's own error.
   double expected() const {
     const RunConfig config =
         question_.experiment_with(question_.own_setting(), question_.accuracy(known_)).runs.front();
@@ -67,10 +67,10 @@ class ReferenceChooser {
     return seconds;
   }
 
-  // Compares the equilibrium found from a run's end with the equilibrium found from its start. If they
-  // differ, the scene has many equilibria, and each run needs a reference of its own, which has to be quick.
-  // A search from the start may take much longer, and then finds another equilibrium. Nothing if the search
-  // takes too long, false if there is no equilibrium.
+  // Searches an equilibrium from the end of a run, and an equilibrium from the start of the run. If the two
+  // differ, the scene has many equilibria, and each run needs its own reference, which has to be quick. The
+  // search from the start is stopped if it takes much longer than the search from the end; the two then count
+  // as different. Nothing if the search takes too long, false if there is no equilibrium.
   std::optional<bool> try_equilibrium(bool may_be_coarser) {
     constexpr double same = 0.002;        // of the size
     constexpr double longest_try = 0.15;  // of the time that is left
@@ -97,7 +97,7 @@ class ReferenceChooser {
     return true;
   }
 
-  // Like try_equilibrium(), for a motion, or for the config's own reference.
+  // Computes the reference of a motion, or the config's own reference. Nothing if this takes too long.
   std::optional<bool> try_motion() {
     const Trial trial = probe();
     if (trial.unfinished) return std::nullopt;
@@ -107,9 +107,9 @@ class ReferenceChooser {
     return true;
   }
 
-  // The run that is compared with the reference first: the config's own setting. If its cloth flies apart, a
-  // search for an equilibrium from its pose would take long and fail. Then it is the reference's model, with
-  // more and more substeps.
+  // The first run that is compared with the reference. This run has the config's own setting. If its cloth
+  // flies apart, a search for an equilibrium from its pose would take long and fail. Then the run has the
+  // reference's model, with more and more substeps.
   Trial probe() {
     const double end_s = (1 - share_of_a_try) * runs_.left_s();
     std::vector<Setting> settings = {question_.own_setting()};
@@ -132,7 +132,7 @@ class ReferenceChooser {
     return trial;
   }
 
-  // Stores the reference with its own strain and stretch: a membrane with a compliance may stretch.
+  // Stores the reference with its own strain and stretch, because a membrane with a compliance may stretch.
   void keep(const Trial& probe) {
     known_.accuracy = question_.accuracy(known_), known_.probe = probe.setting;
     known_.gap = runs_.reference_gap();

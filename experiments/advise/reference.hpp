@@ -7,9 +7,9 @@
 
 namespace bendlab {
 
-/// Limit of the rms Green strain of the reference itself. 0.5 is a stretch of 1.41, which a pulled elastic
-/// knit has, but no cloth under its own weight. Above this limit the reference is torn apart, or its units
-/// are not metres and kilograms.
+/// Limit of the rms Green strain of the reference. A strain of 0.5 is a stretch of 1.41: a pulled elastic
+/// knit stretches so much, but no cloth under its own weight. Above the limit the reference is torn apart,
+/// or the units are not metres and kilograms.
 inline constexpr double largest_reference_strain = 0.5;
 
 struct KnownReference : Reference {
@@ -25,10 +25,10 @@ struct KnownReference : Reference {
   bool tells() const { return strain <= largest_reference_strain && gap.value_or(0) <= largest_error; }
 };
 
-/// Runs the reference. `error_of`: nothing stands for Question::natural_error(). A reference that would take
-/// more than a quarter of the time is made coarser: before it is begun, or when its run takes too long.
-/// Throws std::runtime_error if there is no reference, or no reference in time. The result is incomplete if
-/// `runs` has an exit code.
+/// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a
+/// coarser reference if the finest is expected to take more than a quarter of the time, or if its run takes
+/// too long. Throws std::runtime_error if there is no reference, or no reference in time. If `runs` has an
+/// exit code, the result is incomplete.
 KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of);
 
 }  // namespace bendlab

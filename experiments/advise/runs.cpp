@@ -24,7 +24,7 @@ std::chrono::nanoseconds duration_of(double seconds) {
 }
 
 // CPU seconds of the steps, per frame. A run that is too short to be timed is simulated again, without
-// recording, until the repeats took long enough, or the time is over.
+// recording, until the repeats took long enough or `stop` is set.
 double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome, const std::atomic<bool>& stop) {
   constexpr double least = 1e-9, rounding = 1e-9, long_enough = 0.05;  // s
   constexpr int most_repeats = 20;
@@ -51,7 +51,8 @@ double or_endless(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
 
-// Strain, stretch and speed at the end of a run; over time the mean strain and the largest stretch.
+// Reads the speed at the end of a run, and the strain and stretch at the end. With `over_time`, reads the
+// mean strain and the largest stretch of all frames instead.
 void read_state(const std::filesystem::path& file, const RunConfig& config, bool over_time, Trial& trial) {
   const Trajectory run = over_time ? read_motion(file) : read_last_pose(file);
   double strain = 0, mass = 0;

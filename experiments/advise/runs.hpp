@@ -17,25 +17,26 @@ class Runs {
 
   double left_s() const;
   bool over() const { return exit_code_ != 0 || left_s() <= 0; }
-  /// The code of a signal, or of an error that every run would have (files, mesh); else 0.
+  /// 0, or the exit code of a signal or of an error that every run would have (files, mesh).
   int exit_code() const { return exit_code_; }
   int computed() const { return computed_; }  ///< number of runs that were not complete before
   /// The reference's own error, in sizes of the mesh, if a run's summary has it.
   std::optional<double> reference_gap() const { return gap_; }
 
-  /// Runs settings side by side, `times` as long as the scene. Runs that are expected to be short come first.
-  /// Stops runs that take longer than `seconds`, or than the time limit. Strain and stretch of the trials are
-  /// not compared with the reference yet. With an exit code all trials are unfinished.
+  /// Runs the scene with each setting, several runs at a time; /duration is multiplied by `times`. Runs that
+  /// are expected to be short come first. Stops runs that take longer than `seconds`, or than the time limit.
+  /// Strain and stretch of a trial are those of its run; the caller compares them with the reference. If
+  /// exit_code() is not 0, all trials are unfinished.
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 
   /// Whether a run's file exists, or the run is expected to end in time.
   bool in_time(const Setting& setting, const Json& accuracy, double times = 1) const;
 
-  /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
+  /// CPU seconds per frame that a setting is expected to take; 0 if there is no forecast.
   double expected_per_frame(const Setting& setting) const;
 
-  /// Strain and stretch of the reference that a run was compared with; 0 and 1 if it does not exist.
+  /// Strain and stretch of the reference that a run was compared with; 0 and 1 if the reference has no file.
   Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:

@@ -44,9 +44,9 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   }
 }
 
-// If the demand is a time, a kind starts with the most work that is expected to fit into that time. If the
-// demand is an error, which cannot be forecast, a kind starts with the middle of the works that were the best
-// of a measured scene.
+// Adds a kind, and chooses the work of the kind's first run. For a demanded time, this is the most work that
+// is expected to fit into the time. For a demanded error, which cannot be forecast, this is the median work
+// in `kind`.
 void Search::add(const SettingKind& kind) {
   if (std::ranges::any_of(known_, [&](const Setting& known) { return same_kind(known, kind.setting); }))
     return;
@@ -65,8 +65,9 @@ void Search::add(const SettingKind& kind) {
   kinds_.push_back({by_work[start], most_iterations});
 }
 
-// The settings of the next round: of the better half of the kinds, and of all kinds that were not run yet. If
-// no such kind goes on, and no trial met the demand: of the best kinds that were left behind.
+// The settings of the next round: one for each kind of the better half, and one for each kind that was not
+// run yet. If this gives no setting, and no trial met the demand, the round has the best of the kinds that
+// were dropped before.
 std::vector<Setting> Search::next() {
   std::ranges::stable_sort(kinds_, {}, [this](const Candidate& kind) { return promise(kind); });
   const auto untried = static_cast<std::size_t>(
@@ -83,8 +84,8 @@ std::vector<Setting> Search::next() {
   return settings;
 }
 
-// How much the best run of a kind promises: less is better; 0 if the kind was not run. Time that is not used
-// up can buy more work.
+// How well the best run of a kind suits the demand: less is better; 0 if the kind was not run. For a
+// demanded time this is error times time, because time that is left can be used for more work.
 double Search::promise(const Candidate& kind) const {
   if (kind.trials.empty()) return 0;
   const Trial& best = *std::ranges::min_element(kind.trials, {},
@@ -92,8 +93,8 @@ double Search::promise(const Candidate& kind) const {
   return demand_.error ? score(best, demand_) : judged_error(best) * best.cpu_s;
 }
 
-// The kind's next run, if it is of use. More work means more substeps if the method projects constraints,
-// else more iterations.
+// The next setting of a kind, or nothing if a further run would not help. More work means more substeps for
+// a method that projects constraints, and more iterations for other methods.
 std::optional<Setting> Search::step(const Candidate& kind) const {
   if (kind.trials.empty()) return kind.start;
   const Trial *below = nullptr, *above = nullptr;  // nearest to the demand, with less work and with more work
@@ -121,7 +122,7 @@ std::optional<Setting> Search::step(const Candidate& kind) const {
   return std::ranges::any_of(kind.trials, is_same) ? std::nullopt : std::optional(setting);
 }
 
-// False if more work hardly helped before, or if another kind is faster already.
+// False if more work hardly reduced the error before, or if a faster setting already meets the demand.
 bool Search::is_worth_more(const Candidate& kind, const Trial& trial, double factor) const {
   if (!demand_.error) return true;
   constexpr double hardly_better = 0.9;

@@ -1,10 +1,11 @@
-// Chooses the settings to run, by successive halving. First, kinds of settings that were the best of measured
-// scenes are run. The better half of them goes on, with more or less work, as the demand needs it. This
-// repeats until at most three kinds are left, and the right work of each kind is found. If none of these
-// kinds meets the demand, the kinds that were left behind go on.
+// Chooses the settings to run, by successive halving. Settings of one kind differ only in their work
+// (substeps and iterations). First, each kind that was the best of a measured scene is run once. Then the
+// better half of the kinds is run again, with more or less work, as the demand needs it. This step repeats
+// until at most three kinds are left and further work helps none of them. If no setting meets the demand
+// then, kinds that were dropped before are run again.
 //
-// The error of a kind falls, and its time grows, about in proportion to its work. If one run of a kind falls
-// short of the demand and another run does more than needed, the work of the next run lies between them.
+// Twice the work of a setting takes about twice the time, and gives about half the error. If one run of a
+// kind had too little work for the demand and another run too much, the next run has a work between the two.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,7 @@ namespace bendlab {
 
 class Search {
  public:
-  /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
+  /// CPU seconds per frame that a setting is expected to take; 0 if there is no forecast.
   using ExpectedCpu = std::function<double(const Setting&)>;
   /// Runs settings, and returns the trials of settings that could be run. If no setting could be run, the
   /// search ends.
@@ -26,11 +27,10 @@ class Search {
   /// No setting has more than `most_substeps`.
   Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run);
 
-  /// Adds new kinds, and runs the settings that are worth a run. False if no setting was run.
+  /// Adds new kinds, and runs settings until no further run would help. False if no setting was run.
   bool run(const std::vector<SettingKind>& kinds);
 
-  /// Drops the trial of this setting, because its result means nothing. The kind of the setting is not run
-  /// any more.
+  /// Drops the trial of `setting`, whose result means nothing. Its kind is not run any more.
   void reject(const Setting& setting);
 
   const std::vector<Trial>& trials() const { return trials_; }

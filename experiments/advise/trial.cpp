@@ -14,8 +14,7 @@
 namespace bendlab {
 namespace {
 
-// The number of the text times the value of its unit. Nothing unless the number is above 0 and has such a
-// unit.
+// The number in `text` times the value of its unit. Nothing for a number of at most 0 or an unknown unit.
 std::optional<double> parse_quantity(const std::string& text,
                                      std::initializer_list<std::pair<std::string_view, double>> units) {
   char* end = nullptr;
@@ -26,8 +25,8 @@ std::optional<double> parse_quantity(const std::string& text,
   return std::nullopt;
 }
 
-// The factor by which the worst of strain, stretch and error exceeds its limit. A setting that was not
-// compared with the reference, because of its strain, is judged by strain and stretch.
+// The largest ratio of strain, stretch and error to their limits. If the strain was too large for a
+// comparison with the reference, only strain and stretch count.
 double beyond_limits(const Trial& trial) {
   return std::max({trial.more_strain / largest_strain, (trial.stretch - 1) / (largest_stretch - 1),
                    std::isfinite(trial.error) ? trial.error / largest_error : 0});
@@ -62,15 +61,16 @@ std::string setting_text(const Setting& setting) {
 double parse_error(const std::string& text) {
   const std::optional<double> error = parse_quantity(text, {{"%", 0.01}, {"", 1}});
   if (error && *error < 1) return *error;
-  throw std::invalid_argument(
-      fmt::format("'{}' is no error between 0 and 1: write a share of the cloth's size, 5% or 0.05", text));
+  throw std::invalid_argument(fmt::format(
+      "'{}' is not an error between 0 and 1: write a share of the cloth's size, such as 5% or 0.05", text));
 }
 
 double parse_duration(const std::string& text) {
   if (const auto seconds = parse_quantity(text, {{"us", 1e-6}, {"ms", 1e-3}, {"s", 1}, {"min", 60}}))
     return *seconds;
   throw std::invalid_argument(fmt::format(
-      "'{}' is no time: write a number above 0 and its unit (us, ms, s, min), 2ms or 0.002s", text));
+      "'{}' is not a time: write a number above 0 and its unit (us, ms, s, min), such as 2ms or 0.002s",
+      text));
 }
 
 std::string percent_number(double share) {

@@ -1,5 +1,5 @@
-// The settings that may be advised, the results of their runs, whether a setting is fit to be advised, and
-// which setting suits a demand.
+// Settings that may be advised, and trials: settings that were run, with their results. A trial is fit if
+// its strain, stretch and error are small enough to advise its setting.
 #pragma once
 
 #include <compare>
@@ -29,10 +29,10 @@ struct Setting {
 /// Settings that differ only in their work.
 struct SettingKind {
   Setting setting;                         ///< with any work
-  std::vector<std::pair<int, int>> works;  ///< substeps and iterations that are worth a try
+  std::vector<std::pair<int, int>> works;  ///< substeps and iterations to be tried
 };
 
-/// Kinds that were the best of a measured scene (fronts.def), on the config's own mesh.
+/// The kinds of settings that were the best of a measured scene (fronts.def), for the config's own mesh.
 const std::vector<SettingKind>& measured_fronts();
 
 /// "levels 12", "membrane auto, integrator bdf2".
@@ -47,11 +47,11 @@ struct Demand {
   std::optional<double> cpu_s;  ///< CPU seconds per frame of 1/60 s of simulated time
 };
 
-/// "5%" or "0.05" → 0.05. Throws std::invalid_argument unless it is above 0 and below 1.
+/// "5%" or "0.05" → 0.05. Throws std::invalid_argument if the value is not between 0 and 1.
 double parse_error(const std::string& text);
 
-/// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument without a unit or a number
-/// above 0.
+/// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument if the unit is missing or the
+/// number is not above 0.
 double parse_duration(const std::string& text);
 
 /// 0.0512 → "5.1" and "5.1 %".
@@ -75,8 +75,8 @@ struct Trial {
   std::vector<Warning> warnings{};
 };
 
-/// Limit of Trial::error for a setting that is advised. The points of a square lie 0.29 sizes (rms) from its
-/// middle: a sheet that is crumpled to a point there has that error, and 0.2 is most of it.
+/// Limit of Trial::error for a setting that is advised. The points of a square lie 0.29 sizes (rms) from
+/// its middle. A sheet that is crumpled into this middle has the error 0.29, and 0.2 is most of that error.
 inline constexpr double largest_error = 0.2;
 
 /// Limit of Trial::more_strain. Woven cloth stretches by less than a tenth when it is worn (Provot 1995 and
@@ -87,32 +87,32 @@ inline constexpr double largest_strain = 0.1;
 /// spike.
 inline constexpr double largest_stretch = 1.5;
 
-/// The first reason why a setting is never advised, whatever the demand: "implausible", "strain", "stretch"
-/// or "error". Empty: the setting is fit.
+/// Why the setting of a trial is never advised, whatever the demand: the first of "implausible", "strain",
+/// "stretch" and "error" that applies. Empty if the trial is fit.
 std::string_view unfit(const Trial& trial);
 
-/// The error of a fit trial. For an unfit trial, largest_error times the factor (at least 1) by which the
-/// worst of strain, stretch and error exceeds its limit, so that more work is worth it until the trial is
-/// fit.
+/// The error of a fit trial. For an unfit trial, largest_error times the largest ratio (at least 1) of
+/// strain, stretch and error to their limits. So a search demands more work until a trial is fit.
 double judged_error(const Trial& trial);
 
-/// The quantity that is not demanded (time or error), times the factor (at least 1) by which the demanded
-/// quantity exceeds the demand: less is better.
+/// For a demanded error, the time times max(1, error / demanded error). For a demanded time, the error
+/// times max(1, time / demanded time). Less is better.
 double score(const Trial& trial, const Demand& demand);
 
 /// Whether a trial is fit, and as accurate or as fast as demanded.
 bool meets(const Trial& trial, const Demand& demand);
 
 /// The fastest trial that meets a demanded error, or the most accurate trial that meets a demanded time. If
-/// no trial does, the fit trial that comes nearest. If no trial is fit, the trial that exceeds the limits
-/// least, preferably within the demanded time.
+/// no fit trial meets the demand, the fit trial that comes nearest to the demand. If no trial is fit, the
+/// trial that exceeds its limits least, preferably within the demanded time.
 std::optional<Trial> choice_of(std::span<const Trial> trials, const Demand& demand);
 
-/// The fit trials that no other fit trial beats in both error and time, the fastest first. Ties go to the
-/// first.
+/// The fit trials that are more accurate than every faster fit trial, the fastest first. Of equal trials
+/// the first is taken.
 std::vector<Trial> front_of(std::span<const Trial> trials);
 
-/// The trials of a front that are a tenth more accurate than the kept trial before them, and the last trial.
+/// A front with fewer trials: the first trial, then each trial that is a tenth more accurate than the last
+/// one taken, and the front's last trial.
 std::vector<Trial> thinned(std::span<const Trial> front);
 
 }  // namespace bendlab

@@ -32,7 +32,7 @@ class Collector : public benchmark::BenchmarkReporter {
 
 std::vector<BenchCase> all_cases(const BenchOptions& options) {
   std::vector<BenchCase> all;
-  // Set-up goes first: its peak memory is measured while the heap is as small as a run's.
+  // Set-up cases come first: their peak memory is measured while the heap is as small as in a run.
   for (const auto& family :
        {set_up_cases, cloth_cases, method_cases, effect_cases, run_cases, convergence_cases})
     for (BenchCase& bench_case : family(options)) all.push_back(std::move(bench_case));
@@ -94,8 +94,8 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
   for (BenchCase& bench_case : all)
     if (wanted.contains(bench_case.id)) chosen.push_back(std::move(bench_case));
   if (chosen.empty())
-    throw UsageError(
-        fmt::format("--filter '{}' chooses no benchmark; bendlab bench --list names them", options.filter));
+    throw UsageError(fmt::format(
+        "--filter '{}' chooses no benchmark; 'bendlab bench --list' lists all benchmarks", options.filter));
   return chosen;
 }
 

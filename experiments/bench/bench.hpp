@@ -1,9 +1,9 @@
 // `bendlab bench` measures the cost of the solver on this machine.
 //
 // A row is one case: a kernel on a moving cloth, a step, the set-up, recording, a sweep, or a comparison of
-// orders. Google Benchmark chooses how often a case is repeated within a repetition. The median, the smallest
-// and the largest time of the repetitions are kept. If one thread works, its processor time counts. Other
-// programs on the machine then affect caches and clock rate, but their time does not count.
+// orders. A case has several repetitions, and Google Benchmark chooses how many calls a repetition makes. A
+// row has the median, the smallest and the largest time of the repetitions. For a single thread, processor
+// time is measured: other programs on the machine then affect only caches and clock rate.
 #pragma once
 
 #include <cstdint>
@@ -45,7 +45,7 @@ struct BenchRow {
   Json more = Json::object();               ///< other values, with the unit at the end of each key
 };
 
-/// One row to be measured. Cases that follow one another may share a scene.
+/// One row to be measured. Successive cases may share a scene.
 struct BenchCase {
   std::string id;        ///< name/scalar, and /threads:N from two on
   std::string oracle{};  ///< id of the oracle's case; empty: no oracle
@@ -55,31 +55,32 @@ struct BenchCase {
 /// Strain, crossover springs, dense rings and whole steps on a moving cloth, and their oracles.
 std::vector<BenchCase> cloth_cases(const BenchOptions& options);
 
-/// Time of each effect's passes in a step, per vertex and per action, for several sizes.
+/// Time of each effect's passes in a step, per vertex and per action of the effect, for several sizes.
 std::vector<BenchCase> effect_cases(const BenchOptions& options);
 
 /// An iteration of each solver method, per vertex, for several sizes; also gradient and solve of quasi_newton
 /// alone.
 std::vector<BenchCase> method_cases(const BenchOptions& options);
 
-/// Rings, pairs, colours and batches of `adaptive`: seconds and peak memory.
+/// Seconds and peak memory of setting up the rings, pairs, colours and batches of `adaptive`.
 std::vector<BenchCase> set_up_cases(const BenchOptions& options);
 
-/// Recording beside stepping, and a sweep with one job and with two.
+/// The time that recording adds to a run, and the time of eight runs with one job and with two.
 std::vector<BenchCase> run_cases(const BenchOptions& options);
 
-/// Strain error after the same number of sweeps, order `colour` against `mesh`.
+/// Strain errors that the orders `colour` and `mesh` leave after the same number of rounds over the
+/// constraints.
 std::vector<BenchCase> convergence_cases(const BenchOptions& options);
 
 /// `name/scalar[/threads:N]`.
 std::string bench_id(const std::string& name, const std::string& scalar, int threads = 1);
 
-/// Runs `measure`, which returns the seconds of one iteration, in `repetitions` of at least `least_s` seconds
-/// each (0: one iteration). Returns seconds per iteration.
+/// Seconds per call of `measure`, which does one iteration and returns its seconds. Each of the `repetitions`
+/// repetitions lasts at least `least_s` seconds (0: one call).
 Spread repeated(const std::string& id, int repetitions, double least_s,
                 const std::function<double()>& measure);
 
-/// ns per piece of work, if `count` pieces took `seconds` together.
+/// Nanoseconds per item, if `count` items took `seconds` together.
 Spread ns_per(double count, const Spread& seconds);
 
 /// Seconds of a step: processor time of this thread, and wall time.
@@ -89,8 +90,8 @@ struct StepSeconds {
 /// Throws std::runtime_error if the cloth diverged.
 StepSeconds timed_step(Simulation& simulation);
 
-/// The cases that the options choose, and their oracles. Throws UsageError if the filter is no regular
-/// expression or chooses no case.
+/// The cases that the options choose, and the oracles of these cases. Throws UsageError if the filter is no
+/// regular expression or chooses no case.
 std::vector<BenchCase> bench_cases(const BenchOptions& options);
 
 /// Runs the cases in order; `on_start` is called with the id of each case. A case that throws gives no row:

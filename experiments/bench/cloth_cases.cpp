@@ -1,4 +1,4 @@
-// Kernels during the steps of a moving cloth, so that positions, branches and caches are as in a run.
+// Times kernels during the steps of a moving cloth, so that positions, branches and caches are as in a run.
 #include <fmt/format.h>
 
 #include <memory>
@@ -44,8 +44,9 @@ struct StepTime {
   double strain = 0, bending = 0, all = 0;
 };
 
-/// A square that falls from the horizontal, pinned along two opposite sides, in short steps: it sags without
-/// tearing. If it hung from a corner, it would tear, and torn triangles cost up to three times as much.
+/// A square that falls from the horizontal, pinned along two opposite sides, in short steps. Such a square
+/// sags without tearing. A square that hung from a corner would tear, and torn triangles cost up to three
+/// times as much.
 class MovingCloth {
  public:
   explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {
@@ -57,8 +58,8 @@ class MovingCloth {
     for (int step = 0; step < cloth_warm_up; ++step) this->step();
   }
 
-  /// Processor time if one thread works, else wall time. The time of a pass is its share of the step's wall
-  /// time.
+  /// The processor time of a step with one thread, or the wall time with several, and the parts of this
+  /// time that the two passes take.
   StepTime step() {
     const StepTime before = passes();
     const StepSeconds took = timed_step(*simulation_);
@@ -87,7 +88,7 @@ class MovingCloth {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// Keeps the cloth of the last case, because cases of the same cloth follow one another.
+/// Stores the cloth of the last case, because the next case often has the same cloth.
 class LastCloth {
  public:
   MovingCloth& of(const ClothKind& kind) {
@@ -124,7 +125,7 @@ const ConstraintCost& bending_cost(const ClothKind& kind) {
   return model == "dihedral" || model == "bridson" ? hinge_cost : distance_cost;
 }
 
-/// Least seconds of one round over the part's constraints.
+/// Least seconds that one round over the part's constraints can take.
 double roofline_of(Part part, const ClothKind& kind, const MovingCloth& cloth) {
   const std::size_t scalar = kind.scalar == "float" ? sizeof(float) : sizeof(double);
   const auto triangles = static_cast<std::size_t>(cloth.triangles),
@@ -194,8 +195,8 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
     add(Part::strain,
         {.cells = usual, .model = "crossover", .scalar = scalar, .oracle = true, .form = "angle"});
     add(Part::strain, {.cells = usual, .model = "crossover", .scalar = scalar, .form = "angle"});
-    // With a compliance, choi_ko is solved by Newton's method. Its oracle bisects, which is too slow for a
-    // comparison. k_b is 10⁻⁷ N m².
+    // With a compliance, choi_ko is solved by Newton's method. The oracle of choi_ko bisects, which is too
+    // slow for a comparison. k_b is 10⁻⁷ N m².
     add(Part::bending, {.cells = usual, .model = "choi_ko", .scalar = scalar, .compliance = 1e7});
     for (const int threads : options.threads)
       if (threads != 1)

@@ -36,7 +36,7 @@ void do_steps(Simulation& simulation, int steps) {
     if (!simulation.step()) throw std::runtime_error("a scene for comparing orders diverged");
 }
 
-// #V: edges to the nearest pinned vertex.
+// #V: the number of edges from each vertex to the nearest pinned vertex.
 std::vector<int> edges_from_pins(const BuiltScene& scene) {
   std::vector<int> distance(static_cast<std::size_t>(scene.rest.vertex_count()), -1), queue = scene.pins.all;
   for (const int pinned : queue) distance[static_cast<std::size_t>(pinned)] = 0;

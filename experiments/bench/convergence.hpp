@@ -1,4 +1,4 @@
-// Compares the strain error that sweeps in coloured order leave with the strain error in mesh order.
+// Compares the strain errors after rounds over the constraints (sweeps) by colour and in mesh order.
 #pragma once
 
 #include <span>
@@ -14,17 +14,18 @@ struct ConvergenceScene {
 /// A square that hangs from a corner, a strip from its top edge, an irregular square from two corners.
 std::span<const ConvergenceScene> convergence_scenes();
 
-/// Edges along the long side of each scene.
+/// Number of edges along the long side of each scene's cloth.
 inline constexpr int convergence_cells = 32;
 
-/// Strain error, the mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), after one step of `sweeps` sweeps.
+/// The strain error that each order leaves after one step of `sweeps` sweeps: the mean over triangles of
+/// max(|σ₁ - 1|, |σ₂ - 1|).
 struct ConvergenceError {
   int sweeps = 0;
   double colour = 0, mesh = 0;
   double from_pins = 0, to_pins = 0;  ///< one constraint after another, sorted by edges to a pin
   double colour_from_pins = 0;        ///< by colour; the colours are found in the order from_pins
-  /// The fewest sweeps after which `colour` leaves no more error than `mesh`; 0: more than four times (sweeps
-  /// + convergence_cells).
+  /// The number of sweeps that `colour` needs for the error that `mesh` leaves after `sweeps`; 0: more than 4
+  /// (sweeps + convergence_cells).
   int sweeps_to_match = 0;
 };
 

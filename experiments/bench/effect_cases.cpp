@@ -1,4 +1,4 @@
-// The time of an effect's passes during the steps of a cloth on which it acts, from 10³ to 10⁶ vertices.
+// Times an effect's passes during the steps of a cloth on which the effect acts, from 10³ to 10⁶ vertices.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -18,14 +18,14 @@ namespace {
 
 constexpr int effect_warm_up = 20;
 
-/// An effect in a scene in which it has work to do.
+/// An effect, and a scene in which the effect changes the cloth.
 struct EffectScene {
   std::string_view effect, settings;  ///< its type, and its further settings as JSON
   std::string_view scene;             ///< the other parts of the scene, as JSON
   std::string_view before = "";       ///< effects that are listed before it, as JSON
 };
 
-// Obstacles push into the cloth from below, so that they stay in touch with it.
+// Obstacles push into the cloth from below, so that the contact lasts.
 constexpr std::string_view pinned_sides = R"("pins": {"vertices": ["left", "right"], "ring": 0})";
 constexpr std::string_view no_pins = R"("pins": {"vertices": []})";
 
@@ -48,7 +48,7 @@ constexpr std::array effect_scenes = {
     EffectScene{"self_collision", "", no_pins},  // see Stack
 };
 
-/// The scenes above, and a scene with default settings for each other effect.
+/// The scenes above, and a scene for each effect that has no scene above, with default settings.
 std::vector<EffectScene> all_effect_scenes() {
   std::vector<EffectScene> all(effect_scenes.begin(), effect_scenes.end());
   for (const EffectKind* effect : effects())
@@ -69,8 +69,8 @@ class BallFile {
       std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
-/// Five layers on a floor. Their thickness is the size of a cell, and gravity moves them by the same part of
-/// a cell per step, so that each vertex has its contacts at any resolution.
+/// Five layers on a floor. Each layer is as thick as a cell is wide, and gravity moves a layer by the same
+/// part of a cell per step. So each vertex has the same contacts at any resolution.
 struct Stack {
   double cell;  ///< m
 
@@ -149,7 +149,8 @@ BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
                .vertices = cloth.vertices,
                .constraints = cloth.vertices,
                .repetitions = options.repetitions};
-  // A repetition is a number of steps, not a time of the passes, because the effect takes little of a step.
+  // The number of steps of a repetition is fixed. With a least time of the passes instead, a repetition would
+  // have too many steps, because the effect is a small part of a step.
   const int together = std::clamp((options.quick ? 20'000 : 200'000) / cloth.vertices, 3, 200);
   const auto step = [&] {
     double sum = 0;
@@ -171,7 +172,7 @@ std::vector<BenchCase> effect_cases(const BenchOptions& options) {
   std::vector<BenchCase> cases;
   for (const EffectScene& scene : all_effect_scenes())
     for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
-      // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
+      // Left out: the contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (scene.effect == "self_collision" && cells == 1000) continue;
       cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
                        .run = [=] { return measure(scene, cells, "float", options); }});

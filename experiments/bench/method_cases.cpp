@@ -31,9 +31,9 @@ struct MethodCase {
   int threads = 1;
 };
 
-// A cotton that sags between two sides: Y = 10⁴ N/m, B = 5·10⁻⁵ N m. The cloth has hinges, and every
-// iteration is done (tolerance 0). The few iterations of vbd leave the membrane far from its minimum: only
-// the damping of backward Euler keeps vbd stable.
+// A cotton that sags between two pinned sides: Y = 10⁴ N/m, B = 5·10⁻⁵ N m. The cloth has hinges, and every
+// iteration is done (tolerance 0). The few iterations of vbd leave the membrane far from the minimum of its
+// energy, so vbd is stable only with the damping of backward Euler.
 RunConfig config_of(const MethodCase& kind) {
   const bool implicit = kind.method != "pbd";
   const std::string text = fmt::format(
@@ -112,8 +112,8 @@ std::size_t gradient_bytes(const MovedScene& moved, std::size_t scalar) {
          static_cast<std::size_t>(moved.vertices()) * 8 * scalar;
 }
 
-// Measures the gradient. Returns the norm of the force on the free vertices, N, which has to equal the
-// oracle's.
+// Measures the gradient. Returns the norm of the force on the free vertices, N, which has to equal the norm
+// from the oracle.
 template <class Real>
 double force_of_gradient(const MovedScene& moved, const std::string& id, const BenchOptions& options,
                          Spread& seconds) {
@@ -170,7 +170,7 @@ BenchRow measure_gradient(const std::string& name, const MethodCase& kind, bool 
 
 // ---- the solve
 
-/// CHOLMOD's own solver, with the order that SparseFactor has.
+/// CHOLMOD's own solver, with the elimination order of SparseFactor.
 struct Cholmod : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
   Cholmod() {
     cholmod().nmethods = 1;
@@ -221,8 +221,7 @@ BenchRow measure_solve(const std::string& name, const MethodCase& kind, bool ora
 
 // ---- whole steps
 
-/// Least seconds of an iteration of quasi_newton: gradient, solve, and the pairs of its history, which are
-/// streamed.
+/// Least seconds of an iteration of quasi_newton: gradient, solve, and reading the history of vectors.
 double least_iteration_seconds(const MethodCase& kind, const MovedScene& moved) {
   const std::size_t scalar = scalar_bytes(kind.scalar);
   std::vector<int> vertices;
@@ -278,8 +277,8 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
                        return measure(name, kind, oracle.empty(), options);
                      }});
   };
-  // The oracles are in double precision. A constraint of the gradient oracle costs the same on any cloth; a
-  // vertex of the solve oracle does not.
+  // The oracles are in double precision. One size is enough for the gradient oracle, whose cost per
+  // constraint is the same on any cloth. The cost per vertex of the solve oracle depends on the size.
   add_part("gradient_oracle", measure_gradient, usual, "double", "");
   for (const int cells : sizes) add_part("solve_oracle", measure_solve, cells, "double", "");
   for (const char* scalar : {"float", "double"}) {

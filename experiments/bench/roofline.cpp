@@ -19,8 +19,7 @@ constexpr std::size_t smallest_set = std::size_t{1} << 14,  // fits every first-
 constexpr double probe_s = 4e-3;
 constexpr int probes = 7;
 
-/// Seconds per call of `work`: the best of a few probes, because a limit of the machine is the speed that it
-/// reaches undisturbed.
+/// Seconds per call of `work`: the best of a few probes, because other programs may disturb a probe.
 template <class Work>
 double best_seconds(const Work& work) {
   double best = std::numeric_limits<double>::infinity();
@@ -55,7 +54,8 @@ double measure_triad(std::size_t bytes) {
 
 template <class Real>
 double measure_peak() {
-  // More chains than the latency of an fma times the number of fmas that start per cycle.
+  // To keep the units for multiply-adds (fma) busy, there have to be more chains than the latency of an fma
+  // times the number of fmas that start per cycle.
   constexpr int chains = 10, rounds = 4096;
   std::array<Pack<Real>, chains> sums{};
   const Pack<Real> factor = broadcast<Real>(Real(0.999)), term = broadcast<Real>(Real(0.001));

@@ -6,15 +6,15 @@
 //               (streamed + points)  / bandwidth of the cache or memory that holds the whole scene )
 //
 // with all sizes in bytes per constraint. Streamed: the indices of the constraint, 4 bytes each, and its rest
-// data. Corners: position and inverse mass (four scalars, read and written) of the corners that no register
-// keeps from the previous constraint. These are all corners of a triangle, and one corner of a spring (the
-// other is the centre of its star). Points: the same scalars of every vertex, once per sweep, divided among
-// the constraints. Even the best order has to load them. The bandwidth is that of a triad a = b + s c on
-// arrays of the same total size. The peak is that of independent multiply-adds in registers. Both are
-// measured in this process on one thread.
+// data. Corners: position and inverse mass (four scalars, read and written) of each corner that is not in a
+// register already. These are all corners of a triangle, but only one corner of a spring, because successive
+// springs share the other corner. Points: the same four scalars of every vertex, loaded once per round over
+// the constraints (even the best order has to load them), divided by the number of constraints. The bandwidth
+// is that of a triad a = b + s c on arrays of the same total size. The peak is that of independent
+// multiply-adds in registers. This process measures bandwidth and peak on one thread.
 //
 // Flops are counted in the kernels' formulas: an addition, multiplication, division or square root is one
-// flop.
+// flop. The comments below list the parts of each formula, with the flops of a part in parentheses.
 #pragma once
 
 #include <cstddef>
@@ -23,55 +23,56 @@ namespace bendlab {
 
 /// The cost of one constraint of a kind.
 struct ConstraintCost {
-  int corners = 0;  ///< each with its index; see above
+  int corners = 0;  ///< that are not in a register already, see above
   int rest_scalars = 0;
   double flops = 0;
   int moved_scalars = 8;  ///< per corner: four are read and written; forces read four more
 };
 
-/// Flops: d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
+/// Flops: d (3), |d| (6), Σw (1), k (l0 - l) / (l Σw) (4), two corrections (14).
 inline constexpr ConstraintCost distance_cost{.corners = 1, .rest_scalars = 1, .flops = 28};
 
-/// Flops of warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24.
-/// Shear: edges 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|²
-/// 23, step 2, corrections 21.
+/// Flops of warp, and again of weft: edges (6), f (9), |f| (6), error (1), Σ w|∇C|² (10), step (2), three
+/// corrections (24). Flops of shear: edges (6), f1 and f2 (18), three products (15), inverse and test (5), a1
+/// and a2 (16), gradients (18), Σ w|∇C|² (23), step (2), corrections (21).
 inline constexpr ConstraintCost strain_cost{.corners = 3, .rest_scalars = 4, .flops = 240};
 
-/// Flops: five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20,
-/// wrap 3, reciprocals 6, gradients 60, Σ w|∇C|² 24, step 3, four corrections 28.
+/// Flops: five scaled differences (30), normals (18), |e|², |n1|², |n2|² (15), sine and cosine (12), arc
+/// tangent (20), wrap (3), reciprocals (6), gradients (60), Σ w|∇C|² (24), step (3), four corrections (28).
 inline constexpr ConstraintCost hinge_cost{.corners = 4, .rest_scalars = 2, .flops = 219};
 
-/// Flops: Kx 24, |Kx| 6, gradients 16, Σ w|∇C|² 24, step 4, four corrections 28.
+/// Flops: Kx (24), |Kx| (6), gradients (16), Σ w|∇C|² (24), step (4), four corrections (28).
 inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, .flops = 102};
 
-/// With k. Flops: d and |d| 9, C 1, ∇C 3, Σ w|∇C|² 12, step 2, two corrections 14.
+/// With k. Flops: d and |d| (9), C (1), ∇C (3), Σ w|∇C|² (12), step (2), two corrections (14).
 inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops = 41};
 
-/// With a compliance, in float. Flops: those of arc_cost, load and shares 25, first guess 20, two series of 8
-/// terms 28, three Newton steps of 16 and the series again, last step 20. Also reads α and λ, and writes λ.
+/// With a compliance, in float. Flops: arc_cost (41), load and shares (25), first guess (20), two series of 8
+/// terms (28), three Newton steps, each with both series again (16 + 28), last step (20). The kernel also
+/// reads α and λ, and writes λ.
 inline constexpr ConstraintCost compliant_arc_cost{.corners = 2, .rest_scalars = 4, .flops = 266};
 
-/// Elastic forces. Flops of warp and weft, each: f 9, |f| 6, multiplier 6, three forces 22; shear by its
-/// angle: products 17, inverse and normal 16, arc tangent 20, a1 and a2 16, gradients 18, multiplier 6,
-/// forces 21; edges and α 12.
+/// Elastic forces. Flops of warp, and again of weft: f (9), |f| (6), multiplier (6), three forces (22). Flops
+/// of shear, by the angle: products (17), inverse and normal (16), arc tangent (20), a1 and a2 (16),
+/// gradients (18), multiplier (6), forces (21). Edges and α (12).
 inline constexpr ConstraintCost strain_force_cost{
     .corners = 3, .rest_scalars = 4, .flops = 212, .moved_scalars = 12};
 
-/// Elastic forces. Flops: as hinge_cost up to its gradients 164; multiplier 2, four forces 24. Each hinge has
-/// its own α.
+/// Elastic forces. Flops: the part of hinge_cost up to the gradients (164), multiplier (2), four forces (24).
+/// Each hinge has its own α.
 inline constexpr ConstraintCost hinge_force_cost{
     .corners = 4, .rest_scalars = 3, .flops = 190, .moved_scalars = 12};
 
 /// Bytes of indices and rest data of one constraint.
 std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes);
 
-/// Least seconds per constraint. `scalar_bytes`: 4 or 8; `scene_bytes`: all bytes that a sweep over every
-/// kind of constraint passes through.
+/// Least seconds per constraint. `scalar_bytes`: 4 or 8; `scene_bytes`: all bytes that a round over all
+/// constraints reads.
 double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, double points_per_constraint,
                         std::size_t scene_bytes);
 
-/// Least seconds of a forward and a backward solve for points, with a sparse triangular factor of `entries`
-/// entries: each entry is streamed twice, and multiplies three numbers each time.
+/// Least seconds of a forward and a backward solve for x, y and z, with a sparse triangular factor of
+/// `entries` entries. Each entry is read twice, and multiplies three numbers each time.
 double solve_roofline_seconds(std::size_t entries, std::size_t scalar_bytes);
 
 /// Bytes per second of a triad on arrays of `bytes` in total, measured once per size.

@@ -1,5 +1,4 @@
-// Whole runs as `bendlab run` executes them: the time that recording adds to stepping, and the gain of two
-// jobs.
+// Times whole runs, computed as by `bendlab run`: the time that recording adds, and the gain of two jobs.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -17,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for runs, which is removed together with them.
+/// A folder for runs, which the destructor removes.
 class Scratch {
  public:
   Scratch() : folder(fs::temp_directory_path() / fmt::format("bendlab-bench-{}", getpid())) {}
@@ -48,7 +47,7 @@ double pass_seconds(const RunOutcome& outcome, std::string_view name) {
   throw std::runtime_error(fmt::format("a run has no pass '{}'", name));
 }
 
-/// Projections of all steps of a run, for the rows' ns per constraint.
+/// The number of projections in all steps of a run, to compute a row's ns per constraint.
 struct Work {
   std::int64_t vertices = 0, constraints = 0;
   double projections = 0;
@@ -73,8 +72,8 @@ BenchRow row_of(const std::string& name, int threads, const Work& work, double r
           .repetitions = repetitions};
 }
 
-/// A run with 30 frames a second, compared with the same run that records only its first and last frame. Wall
-/// time from the first step to the last frame in the file. Two threads work: the solver's and the writer's.
+/// Compares a run that records 30 frames a second with a run that records only the first and the last frame.
+/// Wall time from the first step to the last frame in the file. The solver and the writer each have a thread.
 BenchRow measure_recording(const std::string& name, int cells, double duration_s, int repetitions) {
   const Experiment recorded = experiment_of(cells, duration_s, 30),
                    plain = experiment_of(cells, duration_s, 1 / duration_s);

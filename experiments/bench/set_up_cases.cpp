@@ -1,4 +1,4 @@
-// The set-up from a rest mesh to the first step with `adaptive`: rings and pairs, colours and batches.
+// Times the set-up for `adaptive`, from a rest mesh to the first step: rings and pairs, colours and batches.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/wait.h>
@@ -55,8 +55,8 @@ class SetUp {
     return times;
   }
 
-  /// Growth of the peak resident memory, bytes. Measured in a child process, which begins without freed
-  /// memory that could be used again, and without an earlier peak that could hide the new peak.
+  /// Growth of the peak resident memory, bytes. A child process measures this growth, because the parent's
+  /// freed memory or earlier peak would hide a part of the growth.
   double peak_bytes() {
     std::array<int, 2> channel{};
     if (pipe(channel.data()) != 0) throw std::runtime_error("cannot make a pipe for measuring memory");

@@ -38,8 +38,8 @@ int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
 
-/// For each run, the index of the run that is computed for it. Two experiments with the same name may share a
-/// run, and its file must not be written twice.
+/// For each run, the index of the first run with the same file. Two experiments with the same name may share
+/// a run, which must be computed only once.
 std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   std::map<std::string, std::size_t> first;
   std::vector<std::size_t> result;
@@ -58,7 +58,7 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
 
 constexpr const char* failure_name = "run.failure";
 
-// A failure to write is ignored, because this process reports the failure of the run as well.
+// Writes why a run failed into the run's folder. Ignores write errors, because the reason is printed, too.
 void keep_failure(const CampaignRun& run, const fs::path& out) try {
   const fs::path folder = run_folder(out, *run.experiment, *run.config);
   make_folder(folder);
@@ -71,11 +71,11 @@ void remove_failure(const fs::path& run_file) {
   fs::remove(run_file.parent_path() / failure_name, ignored);
 }
 
-// Lets a run begin if all runs in progress fit into the available memory together. A single run may always
-// begin.
+// Lets a run begin if it fits into the available memory together with all runs in progress. If no run is in
+// progress, any run may begin.
 class MemoryBudget {
  public:
-  // Reserves memory for a run until it is destroyed.
+  // Reserves memory for a run, as long as this object exists.
   class Reservation {
    public:
     Reservation(MemoryBudget& budget, double bytes) : budget_(budget), bytes_(bytes) {
@@ -123,8 +123,8 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
   }
 }
 
-// The order of the runs: the longest first, or the shortest. With a shard, its own runs come before the runs
-// of other shards.
+// The order in which runs begin: the longest first, or the shortest first. With a shard, the runs of this
+// shard come before the runs of other shards.
 std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first,
                                   const std::optional<Shard>& shard) {
   std::vector<std::size_t> order(costs.size());
@@ -143,7 +143,7 @@ std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_f
 }  // namespace
 
 double expected_cpu_s(const RunConfig& config) {
-  constexpr double unknown = 1;  // s, for a run that cannot be built and will say why
+  constexpr double unknown = 1;  // s, for a run that cannot be built
   const std::optional<Forecast> needs = forecast(config);
   return needs ? needs->cpu_s : unknown;
 }
@@ -211,7 +211,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     if (options.shard && run.outcome && !run.outcome->reused && !run.outcome->left)
       progress.message(fmt::format("{}: {} in {:.3g} s", run_text(run), to_string(run.outcome->status),
                                    run.outcome->wall_s));
-    // A text that many runs share, such as a remark on their mesh, is printed for the first run only.
+    // If several runs have the same text, such as a remark on the mesh, only the first run prints the text.
     const bool implausible = run.outcome && run.outcome->status == RunStatus::implausible,
                expected = implausible && (run.exit_code == exit_ok || !options.tells_verdicts);
     if (!text.empty() && !expected && printed.emplace(run.experiment, text).second)
@@ -250,7 +250,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
       if (!stop) execute(runs[index], options, control);
       try {
         finish(index);
-      } catch (...) {  // stdout was closed: the runs go on, and their files keep the results
+      } catch (...) {  // stdout was closed: the other runs are computed all the same
         const std::lock_guard lock(mutex);
         failure = std::current_exception();
       }

@@ -45,8 +45,8 @@ struct CampaignOptions {
   bool force = false;        ///< compute complete runs again
   bool minimal = false;      ///< leave out effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
-  /// For work together with other processes: first the runs of this shard, then all others. Each computed run
-  /// is reported on stderr, and the reason of a failure is kept in the run's folder.
+  /// For work together with other processes: first the runs of this shard are computed, then all other runs.
+  /// Each computed run is reported on stderr. If a run fails, the reason is written into the run's folder.
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
   bool tells_verdicts = true;               ///< report each implausible run on stderr when it is over
@@ -60,11 +60,10 @@ double expected_cpu_s(const RunConfig& config);
 /// shard, then the second longest, and so on.
 std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count);
 
-/// Why a run failed in a process that worked together with others: the text kept in the run's folder. Empty
-/// if no failure is kept.
+/// The text in a run's folder that says why the run failed (with CampaignOptions::shard), or "".
 std::string failure_in(const std::filesystem::path& folder);
 
-/// Every run of every experiment, in sweep order.
+/// The runs of all experiments, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
 /// What several runs need in total.
@@ -77,13 +76,13 @@ struct Needs {
 
 /// Computes the runs, the longest first, as many at a time as fit into memory. A run that fails does not stop
 /// the others. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
-/// soon as this run and all runs before it are over. After a stop signal the current runs end with their
+/// soon as this run and all runs before it are over. After a stop signal each current run ends with its next
 /// frame, and no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready);
 
-/// 0 if every run is complete, else the gravest exit code of the runs. From grave to mild: signal, I/O, mesh,
-/// config, numerical, usage, other.
+/// The most serious exit code of the runs; 0 if every run is complete. From serious to mild: signal, I/O,
+/// mesh, config, numerical, usage, other.
 int campaign_exit_code(const std::vector<CampaignRun>& runs);
 
 }  // namespace bendlab

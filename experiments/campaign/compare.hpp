@@ -11,7 +11,7 @@
 
 namespace bendlab {
 
-/// A setting that differs. A run that does not have the setting has null.
+/// A setting that differs. For a run without the setting, the value is null.
 struct ChangedSetting {
   std::string pointer;
   Json one, other;

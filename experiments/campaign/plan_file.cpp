@@ -83,11 +83,12 @@ Plan load_plan(const fs::path& file) {
   const Json document = read_document(file);
   return reading(file, [&] {
     if (document.at("source_hash") != build_info().source_hash)
-      throw plan_error(file, fmt::format("it was written by another version of the program ({}, sources {}; "
-                                         "this version is {}, sources {}), and its runs would have other ids",
-                                         document.at("version").get<std::string>(),
-                                         document.at("source_hash").get<std::string>(), build_info().version,
-                                         build_info().source_hash));
+      throw plan_error(file,
+                       fmt::format("it was written by another version of the program ({}, sources {}); in "
+                                   "this version ({}, sources {}) the planned runs would have other ids",
+                                   document.at("version").get<std::string>(),
+                                   document.at("source_hash").get<std::string>(), build_info().version,
+                                   build_info().source_hash));
     Plan plan{{}, document.at("out").get<std::string>()};
     for (const Json& experiment : document.at("experiments"))
       plan.experiments.push_back(parse_config(experiment.at("text").get<std::string>(),
@@ -96,12 +97,12 @@ Plan load_plan(const fs::path& file) {
     const std::vector<CampaignRun> runs = plan_campaign(plan.experiments);
     const Json& planned = document.at("runs");
     if (runs.size() != planned.size())
-      throw plan_error(file, "its configs now give a different number of runs");
+      throw plan_error(file, "the number of runs of the plan's configs has changed");
     for (std::size_t i = 0; i < runs.size(); ++i)
       if (const std::string id = run_id(*runs[i].config); id != planned.at(i).at("id"))
-        throw plan_error(file,
-                         fmt::format("{} is a different run now, because a file that it reads was changed",
-                                     run_text(runs[i])));
+        throw plan_error(
+            file, fmt::format("{} is a different run now, because a file that the run reads was changed",
+                              run_text(runs[i])));
     return plan;
   });
 }

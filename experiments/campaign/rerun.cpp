@@ -17,13 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The entries of a run's provenance that decide the bits of its result, besides its settings.
+// The entries of a run's provenance that, together with the settings, decide the bits of the result.
 constexpr std::array<const char*, 13> decisive = {
     "version",        "git_commit", "git_dirty",   "git_changes", "source_hash", "own_code",    "compiler",
     "compiler_flags", "build_type", "vector_bits", "processor",   "libraries",   "blas_kernels"};
 
-// The run's experiment. Its input files are written into `folder` under new names, which the settings then
-// name.
+// The run's experiment. Writes the run's input files into `folder`, and changes the file names in the
+// settings.
 Experiment repeated(const RunRecord& run, const fs::path& folder) {
   Json settings = parse_strict_json(run.config, run.file.string());
   settings["name"] = run.name;
@@ -42,7 +42,8 @@ Experiment repeated(const RunRecord& run, const fs::path& folder) {
 Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl& control) {
   make_folder(folder);
   Experiment experiment = repeated(run, folder);
-  experiment.settings = {{"name", run.name}};  // no user stated the other settings: they need no warnings
+  experiment.settings = {
+      {"name", run.name}};  // no user stated the other settings, so there are no warnings about them
   RunConfig& config = experiment.runs.front();
   const Json point = provenance_json(run, "point");
   if (point.is_object())

@@ -34,7 +34,7 @@ bool is_run_file(std::string_view name) {
   return is_finished_name(name) || (name.starts_with("run.vtkhdf") && name.ends_with(".part"));
 }
 
-/// Recognises a version of a file: an equal stamp means that the file was not changed since it was read.
+/// Identifies a version of a file: if a file's stamp is the same as before, the file was not changed.
 struct Stamp {
   std::int64_t size = -1, modified = 0, changed = 0;  // bytes; ns
 
@@ -82,7 +82,7 @@ struct Entry {
   }
 };
 
-/// The index of a folder as it is on the disk.
+/// The index of a folder, as read from the disk.
 class Index {
  public:
   explicit Index(const fs::path& folder) {
@@ -133,7 +133,7 @@ class Index {
   std::unordered_map<std::string_view, Entry> entries_;  // by path
 };
 
-/// What an index knows about a file.
+/// A file's entry in an index.
 struct Known {
   Stamp stamp;                      ///< of the file
   std::optional<RunRecord> record;  ///< empty: the file has to be read
@@ -141,7 +141,7 @@ struct Known {
   std::string new_line;
 };
 
-/// What the index knows about each of the files.
+/// The index's entry for each file.
 std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files,
                             Part part) {
   std::vector<Known> known(files.size());

@@ -21,7 +21,7 @@ std::string value_text(const Json& value) {
 
 constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // shown without their key
 
-// Names an object by the settings in which the values of the axis differ: "quasi_newton, substeps 4".
+// Names an object of an axis by the settings that differ between the objects: "quasi_newton, substeps 4".
 std::string object_text(const Json& object, const std::vector<std::map<std::string, Json>>& flat_values) {
   const auto differs = [&](const std::string& key, const Json& value) {
     return flat_values.size() == 1 || std::ranges::any_of(flat_values, [&](const auto& other) {
@@ -41,8 +41,8 @@ std::string object_text(const Json& object, const std::vector<std::map<std::stri
   return first.empty() ? "as it is" : fmt::format("{}", fmt::join(first, ", "));
 }
 
-// Axes with more objects than this show each object as a whole: the objects are compared for every run, which
-// would take too long.
+// If an axis has more objects than this, each object is shown as a whole. To compare the objects for every
+// run would take too long.
 constexpr std::size_t most_objects = 64;
 
 std::string text_on_axis(const Json& value, const std::vector<Json>& values) {

@@ -8,17 +8,17 @@
 
 namespace bendlab {
 
-/// The run's swept values, "cells 64, model crossover"; the experiment's name if nothing is swept.
+/// The run's swept values, such as "cells 64, model crossover". Without a sweep, the experiment's name.
 std::string place_text(const Experiment& experiment, const RunConfig& config);
 
-/// The run's experiment and swept values, "fig5 (cells 64, model crossover)".
+/// The run's experiment and swept values, such as "fig5 (cells 64, model crossover)".
 std::string run_text(const Experiment& experiment, const RunConfig& config);
 
-/// Headings for the swept values: the last part of each pointer, or the whole pointer if two headings would
-/// be the same.
+/// Headings for the swept values: the last part of each pointer. Pointers with the same last part are written
+/// as a whole.
 std::vector<std::string> axis_headings(const Experiment& experiment);
 
-/// The run's values under axis_headings(), empty where an axis does not apply to it.
+/// The run's values, in the order of axis_headings(); "" for an axis that does not apply to the run.
 std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfig& config);
 
 }  // namespace bendlab

@@ -27,7 +27,7 @@ Json to_json(const Expectation& expectation) {
   return entry;
 }
 
-// A list in square brackets with an entry on each line.
+// The list as JSON text, with one entry per line.
 std::string lines_of(const Json& list) {
   std::string text = "[";
   for (const Json& entry : list) text += fmt::format("{}\n  {}", text.size() == 1 ? "" : ",", entry.dump());

@@ -1,5 +1,4 @@
-// A file beside the runs that says what a sweep consists of, so that programs that read results need not
-// expand sweeps.
+// A file beside the runs that lists the runs of a sweep, so that programs need not expand the sweep.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +9,8 @@
 
 namespace bendlab {
 
-/// `<out>/<experiment>/<name of the config's file>.sweep.json`. With overrides the name has a hash of the
-/// overrides, so that a trial does not replace the sweep of the config as written.
+/// `<out>/<experiment>/<name of the config's file>.sweep.json`. If there are overrides, the name contains a
+/// hash of the overrides, so that the file of the config without overrides is not replaced.
 std::filesystem::path sweep_file(const std::filesystem::path& out, const Experiment& experiment);
 
 struct SweepFile {

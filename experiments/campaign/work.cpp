@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-/// Watches the owners of the runs that were left to other processes.
+/// Watches the owners of runs: the processes that are computing runs which this process left out.
 class WatchedRuns {
  public:
   WatchedRuns(const std::vector<CampaignRun>& runs, std::chrono::duration<double> lease) : lease_(lease) {
@@ -28,8 +28,8 @@ class WatchedRuns {
       }
   }
 
-  /// Waits until it is known for each run whether its owner lives. Returns the runs without a living owner:
-  /// such a run is over, or has to be computed.
+  /// Waits until it is known which owners live. Returns the runs without a living owner: these runs are over
+  /// or have to be computed.
   std::vector<std::size_t> wait() {
     std::vector<std::size_t> free;
     const Clock::time_point begin = Clock::now();
@@ -56,7 +56,7 @@ class WatchedRuns {
   std::vector<Watched> watched_;
 };
 
-// The run in a folder, if it ended after RunsOnDisk had read the folder; else nothing.
+// The run in a folder, if the run is over. (It may have ended after RunsOnDisk had read the folder.)
 std::optional<RunRecord> ended_since(const fs::path& folder) try {
   const fs::path file = folder / "run.vtkhdf";
   if (!fs::exists(file)) return std::nullopt;
@@ -85,7 +85,7 @@ std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, con
     const auto is_left = [](const CampaignRun& run) { return run.outcome && run.outcome->left; };
     const bool all_left = std::ranges::all_of(again, is_left);
     for (std::size_t i = 0; i < free.size(); ++i) runs[free[i]] = again[i];
-    if (all_left) return runs;  // the owners live but give no sign of life: perhaps they are suspended
+    if (all_left) return runs;  // the owners live, but their heartbeats do not change: they may be suspended
   }
 }
 
@@ -96,7 +96,7 @@ RunsOnDisk::RunsOnDisk(const std::set<fs::path>& parents,
     if (!fs::is_directory(parent, none)) continue;
     for (RunRecord& run : read_runs(parent, unreadable, Part::state))
       found_.emplace(run.file.parent_path().string(),
-                     std::move(run));  // keeps the first: a folder's finished file
+                     std::move(run));  // of a folder's files, the first is finished
   }
 }
 

@@ -13,10 +13,10 @@
 
 namespace bendlab {
 
-/// Computes the runs of the shard in `options`, the longest first, then runs that nobody has begun or that a
-/// dead process left behind. Ends when every run is over or is being computed by a living process. A process
-/// on another machine counts as living if its heartbeat changes within `lease`. Returns every run of the
-/// plan.
+/// Computes the runs of the shard in `options`, the longest first. Then computes the runs that no process has
+/// begun, and the unfinished runs of processes that died. Ends when every run is over or is being computed by
+/// a living process. A process on another machine counts as living if its heartbeat (a file in the run's
+/// folder) changes within `lease`. Returns every run of the plan.
 std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, const CampaignOptions& options,
                                  std::chrono::duration<double> lease = std::chrono::seconds(60));
 
@@ -27,7 +27,7 @@ struct RunState {
   std::string text{};  ///< the process that computes the run, or why the run failed
 };
 
-/// The runs in some folders, as they were on disk when this was made.
+/// The runs in some folders, as on disk when this object was made.
 class RunsOnDisk {
  public:
   /// `parents`: the parents of the runs' folders. `unreadable`: as in read_runs().

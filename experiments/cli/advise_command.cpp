@@ -77,7 +77,8 @@ std::string error_text(const Answer& answer) {
     return fmt::format("of the motion, mean over the frames, against {} with {} substeps{}", cloth,
                        reference.substeps, gap);
   return fmt::format(
-      "of the pose at the end, against the static equilibrium of {} after the best turn about the vertical{}",
+      "of the pose at the end, after the best turn about the vertical, against the static equilibrium of "
+      "{}{}",
       cloth,
       reference.start_from_end
           ? "; there are many equilibria, and each run is compared with the equilibrium near its end"
@@ -94,13 +95,13 @@ std::string trial_text(const Trial& trial) {
       "{}: {}{}, {:.3g} ms of CPU per frame", setting_text(trial.setting),
       compared ? "error " + percent_text(trial.error) : "error not measured",
       fit ? ""
-          : fmt::format(", strain {} (rms), a triangle {:.3g} times as long as in the reference",
-                        percent_text(trial.strain), trial.stretch),
+          : fmt::format(
+                ", strain {} (rms), the largest stretch of a triangle {:.3g} times that of the reference",
+                percent_text(trial.strain), trial.stretch),
       1e3 * trial.cpu_s);
 }
 
-// The table of the settings on the front, always with the advised setting. If no setting is fit, only the
-// nearest setting.
+// A table of the front (front_of()) and the advised setting; if no setting is fit, of the nearest setting.
 std::string front_text(const Answer& answer) {
   std::vector<Trial> rows = thinned(answer.advice.front);
   if (const auto& choice = answer.advice.choice;
@@ -149,9 +150,9 @@ void print_choice(const Trial& trial, const Answer& answer) {
     print_text(
         "\n{}\n",
         trial.error > *gap
-            ? "The reference's own error is more than a tenth of this error."
-            : "The reference's own error is as large as this error, so settings with errors as small as this "
-              "cannot be compared. Take a shorter /duration, or a finer reference in /accuracy.");
+            ? "The reference's own error is more than a tenth of this setting's error."
+            : "The reference's own error is at least this setting's error, so settings with such small "
+              "errors cannot be compared. Take a shorter /duration, or a finer reference in /accuracy.");
   print_text("\nto use {}:\n", answer.advice.is_met ? "it" : "the nearest setting");
   for (const std::string& change : answer.question.changes(trial.setting))  // quoted for a shell
     print_text("  --set {}\n",
@@ -167,8 +168,9 @@ void print_answer(const Answer& answer) {
   print_text("\nerror: rms {}, in sizes of the mesh\n", error_text(answer));
   if (advice.reference.cells > 0)
     print_text(
-        "the reference has fewer cells than the config, because a run with more cells would not fit into "
-        "--time-limit ({:.4g} s). These errors contain only a part of the error of having fewer cells\n",
+        "the reference has fewer cells than the config, because a reference with more cells would not fit "
+        "into --time-limit ({:.4g} s). So the errors contain only a part of the error that fewer cells "
+        "cause\n",
         options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
@@ -189,8 +191,8 @@ void print_answer(const Answer& answer) {
   const std::size_t not_tried = advice.not_tried.size();
   if (not_tried > 0)
     print_text(
-        "\nnot tried, because the time of --time-limit ({:.4g} s) was over; the same command continues with "
-        "these:\n",
+        "\nnot tried, because the time of --time-limit ({:.4g} s) was over; the same command, run again, "
+        "tries these settings:\n",
         options.time_limit_s);
   for (std::size_t i = 0; i < std::min(most_listed, not_tried); ++i)
     print_text("  {}\n", setting_text(advice.not_tried[i]));
@@ -278,11 +280,11 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
   const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const char* why = nullptr;
   if (fs::equivalent(file, config, ignored))
-    why = "is the config itself, whose /accuracy and /expect would be lost; name another file";
+    why = "is the config itself, which would lose its /accuracy and /expect; name another file";
   else if (fs::is_directory(file, ignored))
     why = "is a folder; name a file in it";
   else if (fs::is_symlink(there))
-    why = "is a link, which is not followed; name a file";
+    why = "is a link, and links are never overwritten; name a file";
   else if (fs::exists(there) && !fs::is_regular_file(there))
     why = "is not a regular file; name another file";
   else if (!fs::is_directory(folder, ignored))
@@ -313,7 +315,8 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     if (on_terminal) print_text(stderr, "bendlab: {}\n", news);
   });
   if (advice.exit_code != 0) {
-    if (stop_exit_code() != 0) print_text(stderr, "bendlab: stopped; the same command continues from here\n");
+    if (stop_exit_code() != 0)
+      print_text(stderr, "bendlab: stopped; run the same command again to continue\n");
     return advice.exit_code;
   }
   const Answer answer{advice, question, options};

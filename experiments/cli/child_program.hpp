@@ -7,7 +7,8 @@
 namespace bendlab {
 
 /// Runs a program to its end, with the standard streams of this process. `arguments`: the program's path,
-/// then its arguments. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be started.
+/// then its arguments. Returns the program's exit code, 128 + the signal that ended the program, or 127 if
+/// the start failed.
 int run_program(std::vector<std::string> arguments);
 
 /// The path of the program that is running.

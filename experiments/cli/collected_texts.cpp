@@ -24,7 +24,7 @@ void collect(std::vector<CollectedText>& collected, const CampaignRun& run, cons
     same->mildest = warning.severity, same->mildest_text = warning.measured;
 }
 
-// A broken bound as a warning. Its severity is measured / limit; values that are not finite are the worst.
+// A broken bound as a warning. The severity is measured value / limit (infinite if the value is not finite).
 Warning of_bound(const BrokenBound& broken) {
   Warning text{.code = std::string(name_of(broken.bound)), .message = text_of(broken)};
   text.severity = broken.measured / broken.limit;

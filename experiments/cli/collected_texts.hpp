@@ -1,4 +1,5 @@
-// Warnings and broken bounds of many runs, each kind once: the text of the worst run, and the range of all.
+// Collects warnings and broken bounds of many runs. Each kind has one text: the text of the worst run, with
+// the range of the values of all runs.
 #pragma once
 
 #include <span>
@@ -9,7 +10,7 @@
 
 namespace bendlab {
 
-/// A text of one kind, such as a warning's code, that several runs of an experiment have.
+/// One kind of text, such as a warning of one code, from several runs of an experiment.
 struct CollectedText {
   /// `place` (the swept values) and `message` come from the worst run; ties go to the first run.
   std::string kind, place, message;

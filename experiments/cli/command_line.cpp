@@ -61,7 +61,7 @@ struct Arguments {
   std::function<int()> command;
 };
 
-// Examples for --help: each can be typed as it is, in a checkout with results.
+// Examples for --help: complete commands for a checkout with results.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 25> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
@@ -119,8 +119,8 @@ void add_results(CLI::App* command, std::string& folder) {
 void add_configs(CLI::App* command, Arguments& arguments) {
   command->add_option("CONFIG", arguments.configs.files, "Config files (JSON)")->required();
   add_repeatable(command, "/POINTER=VALUE", "--set", arguments.configs.overrides,
-                 "Change a setting, such as /mesh/cells=64. If the config sweeps this setting, the value or "
-                 "a list of values replaces the sweep of it. Repeatable");
+                 "Change a setting, such as /mesh/cells=64. If the config sweeps this setting, the value (or "
+                 "a list of values) replaces the swept values. Repeatable");
   add_repeatable(command, "/POINTER=VALUES", "--sweep", arguments.configs.axes,
                  "Vary one more setting, such as /bending/k=0.1,0.2. Repeatable");
 }
@@ -153,7 +153,7 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
 
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
-      add_command(app, a, "run", "Compute all runs of the configs that are not complete yet",
+      add_command(app, a, "run", "Compute the runs of the configs, except the runs that are complete",
                   [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
@@ -163,7 +163,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::Option* explain =
       run->add_flag("--explain", a.explain,
                     "Instead of the tables of results, print what a step consists of: each pass (part of a "
-                    "step), why it is there, its time, and how much it changed");
+                    "step) with its purpose, its time, and how much it changed");
   run->add_flag("--strict", a.strict,
                 "Treat warnings as errors; if there are warnings before the runs begin, nothing is computed");
   add_json(run, a, "Print one JSON object per run to stdout");
@@ -171,7 +171,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
 
   CLI::App* plan = add_command(
       app, a, "plan",
-      "List the runs of the configs: swept values, id, state, and the time, memory and disk that each needs",
+      "List the runs of the configs: swept values, id, state, and the time, memory and disk that a run needs",
       [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
   add_configs(plan, a);
   plan->add_option("--write", a.plan, "Also write the plan to this file, for 'bendlab work'")
@@ -183,7 +183,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                                    [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
   validate->add_flag("--strict", a.strict,
-                     "Build the scene of every run, and treat the warnings that are then known as errors");
+                     "Build the scene of every run, and treat warnings about scenes as errors");
 
   CLI::App* reproduce =
       add_command(app, a, "reproduce",
@@ -191,9 +191,9 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                   [&a] { return reproduce_command(a.options, a.reproduce); });
   add_shown(reproduce, "WHAT", a.reproduce.what,
             "everything: the paper, then its ablations, every model and the scenes; paper: only the figures "
-            "of the paper; stiffness: how stiff every model is, compared with theory; stability: which hard "
-            "cases every model survives; accuracy: how much time accuracy costs; plain: whether plain scenes "
-            "go wrong without a warning")
+            "of the paper; stiffness: how stiff every model is, compared with theory; stability: in which "
+            "hard cases every model stays stable; accuracy: how much time accuracy costs; plain: whether "
+            "plain scenes go wrong without a warning")
       ->check(CLI::IsMember(reproducible()));
   add_campaign(reproduce, a);
   CLI::Option* full = reproduce->add_flag("--full", a.reproduce.full,
@@ -222,8 +222,8 @@ void add_work_commands(CLI::App& app, Arguments& a) {
                   [&a] { return work_command(a.work, a.options, a.json); });
   add_plan_file(work, a.work.plan);
   work->add_option("--shard", a.work.shard,
-                   "Begin with the runs of part i of n, 0 ≤ i < n; then compute the other runs that nobody "
-                   "has begun (default: 0/1)")
+                   "Begin with the runs of part i of n, 0 ≤ i < n; then compute the other runs that no "
+                   "process has begun (default: 0/1)")
       ->type_name("i/n");
   add_jobs(work, a);
   add_checkpoint(work, a);
@@ -242,8 +242,8 @@ void add_work_commands(CLI::App& app, Arguments& a) {
   add_shown(submit, "--out", a.options.out, "Folder for the results, on a disk that all machines share");
   submit
       ->add_option("--tasks", a.submitted.tasks,
-                   "Number of tasks of the job array (default: as many as are each expected to last a minute "
-                   "or more, at most 1000)")
+                   "Number of tasks of the job array (default: so many that each task is expected to last at "
+                   "least a minute, but at most 1000)")
       ->check(CLI::Range(1, 100000));
   add_shown(submit, "--cpus", a.submitted.cpus,
             "Cores per task, and number of runs that a task computes at a time")
@@ -272,7 +272,8 @@ void add_read_commands(CLI::App& app, Arguments& a) {
 
   CLI::App* show = add_command(app, a, "show", "Show a run: summary, time per pass, provenance, config",
                                [&a] { return show_command(a.run, a.folder, a.json); });
-  show->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
+  show->add_option("RUN", a.run, "A run file, the folder of a run file, or the beginning of a run's id")
+      ->required();
   add_results(show, a.folder);
   add_json(show, a, "Print one JSON object");
 }
@@ -281,8 +282,9 @@ void add_compare_command(CLI::App& app, Arguments& a) {
   CLI::App* compare = add_command(app, a, "compare", "Show what differs between two runs, or two sweeps",
                                   [&a] { return compare_command(a.compared, a.json); });
   compare
-      ->add_option("ONE", a.compared.one,
-                   "Run file, its folder, the beginning of the run's id, or the folder of a sweep")
+      ->add_option(
+          "ONE", a.compared.one,
+          "A run file, the folder of a run file, the beginning of a run's id, or the folder of a sweep")
       ->required();
   compare->add_option("OTHER", a.compared.other, "The run or sweep to compare with, named in the same way")
       ->required();
@@ -294,9 +296,12 @@ void add_rerun_command(CLI::App& app, Arguments& a) {
   CLI::App* rerun =
       add_command(app, a, "rerun", "Compute a run again from its file, and say whether the bits agree",
                   [&a] { return rerun_command(a.repeated, a.json); });
-  rerun->add_option("RUN", a.repeated.run, "Run file, its folder, or the beginning of the run's id")
+  rerun
+      ->add_option("RUN", a.repeated.run,
+                   "A run file, the folder of a run file, or the beginning of a run's id")
       ->required();
-  rerun->add_option("--out", a.repeated.out, "Keep the new run in this folder (default: it is not kept)");
+  rerun->add_option("--out", a.repeated.out,
+                    "Keep the new run in this folder (default: the new run is not kept)");
   add_results(rerun, a.repeated.folder);
   add_json(rerun, a, "Print one JSON object");
 }
@@ -334,10 +339,10 @@ void add_page_commands(CLI::App& app, Arguments& a) {
 
   CLI::App* view =
       add_command(app, a, "view", "Watch runs in the browser", [&a] { return view_command(a.page); });
-  add_page(view, a, "RUN", "The page's file (default: one in ~/.cache/bendlab)");
+  add_page(view, a, "RUN", "The page's file (default: a file in ~/.cache/bendlab)");
   view->add_flag("--live", a.page.live,
-                 "Show a run while it is being computed: serve its page at 127.0.0.1, under an address that "
-                 "nobody can guess, and add new frames to the page. Ctrl-C ends the server");
+                 "Show a run while it is being computed: serve the run's page at 127.0.0.1, under an address "
+                 "that nobody can guess, and add new frames to the page. Ctrl-C ends the server");
   view->add_flag("--no-open", a.page.no_open, "Only print where the page is, and do not open the browser");
 }
 
@@ -345,7 +350,9 @@ void add_export_command(CLI::App& app, Arguments& a) {
   CLI::App* exported =
       add_command(app, a, "export", "Write a run for Blender, Houdini, a spreadsheet or other programs",
                   [&a] { return export_command(a.exported, a.json); });
-  exported->add_option("RUN", a.exported.run, "Run file, its folder, or the beginning of the run's id")
+  exported
+      ->add_option("RUN", a.exported.run,
+                   "A run file, the folder of a run file, or the beginning of a run's id")
       ->required();
   std::vector<std::string> names;
   std::string meanings = "Formats:\n";
@@ -363,8 +370,8 @@ void add_export_command(CLI::App& app, Arguments& a) {
       ->check(CLI::IsMember(names));
   exported
       ->add_option("--to", a.exported.to,
-                   "Folder to write into, or the file, if the format needs only one (default: export/FORMAT "
-                   "beside the run file)")
+                   "Folder to write into, or the file for a format that needs only one file (default: "
+                   "export/FORMAT beside the run file)")
       ->type_name("DIR|FILE");
   exported
       ->add_option("--frames", a.exported.frames,
@@ -373,8 +380,8 @@ void add_export_command(CLI::App& app, Arguments& a) {
       ->type_name("FIRST:LAST:STEP");
   exported
       ->add_option("--up", a.exported.up,
-                   "Turn the run so that this axis points up (default: do not turn; the direction of gravity "
-                   "tells whether y or z is up, without gravity it is z)")
+                   "Turn the run so that this axis points up (default: the run is not turned, and gravity "
+                   "decides whether the file says that y or z is up)")
       ->check(CLI::IsMember(std::vector<std::string>(up_axis_names.begin(), up_axis_names.end())));
   exported->add_flag("--force", a.exported.force, "Replace the files of an earlier export");
   add_results(exported, a.exported.folder);
@@ -384,18 +391,19 @@ void add_export_command(CLI::App& app, Arguments& a) {
 void add_stiffness_command(CLI::App& app, Arguments& a) {
   CLI::App* stiffness = add_command(app, a, "stiffness", "Measure how stiff the cantilever strip of a run is",
                                     [&a] { return stiffness_command(a.run, a.folder, a.stiffness, a.json); });
-  stiffness->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
+  stiffness->add_option("RUN", a.run, "A run file, the folder of a run file, or the beginning of a run's id")
+      ->required();
   add_results(stiffness, a.folder);
   stiffness
-      ->add_option(
-          "--clamp-offset", a.stiffness.clamp_offset,
-          "How far behind the clamp's edge the strip begins to bend, in m (default: a quarter of the bending "
-          "constraints' reach: h/2 for hinges on rows h apart, t h/4 for springs of ring t)")
+      ->add_option("--clamp-offset", a.stiffness.clamp_offset,
+                   "How far behind the clamp's edge the strip begins to bend, in m (default: a quarter of "
+                   "the reach of the bending constraints along the strip: h/2 for hinges on rows h apart, t "
+                   "h/4 for springs of ring t)")
       ->check(CLI::NonNegativeNumber);
   stiffness
       ->add_option("--exclude", a.stiffness.exclude,
-                   "Length at the clamp and at the free end that the fit of m(κ) leaves out, in m (default: "
-                   "the constraints' reach)")
+                   "Length at the clamp and at the free end that the fit of moment m to curvature κ leaves "
+                   "out, in m (default: the reach of the bending constraints)")
       ->check(CLI::NonNegativeNumber);
   add_shown(stiffness, "--frame", a.stiffness.frame,
             "Which frame to measure; negative numbers count from the end");
@@ -423,8 +431,8 @@ void add_advise_command(CLI::App& app, Arguments& a) {
   add_repeatable(advise, "/POINTER=VALUE", "--set", a.advise.overrides,
                  "Change a setting, such as /mesh/cells=64. Repeatable");
   add_shown(advise, "--what", a.advise.what,
-            "Which error counts. rest: error of the pose at rest; motion: error of the motion; auto: rest if "
-            "only loads and damping act, else motion")
+            "Which error counts. rest: error of the pose at rest; motion: error of the motion; auto: rest "
+            "for a pinned cloth with only loads and damping, motion for other scenes")
       ->check(CLI::IsMember({"auto", "rest", "motion"}));
   advise->add_option("--models", a.advise.models, "Try only these models, separated by commas")
       ->delimiter(',');
@@ -432,7 +440,7 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       ->delimiter(',');
   add_shown(advise, "--time-limit", a.advise.time_limit,
             "Time limit of the whole search, including the reference: 90s or 5min. Settings that were not "
-            "tried by then are listed");
+            "tried in this time are listed");
   advise->add_option("--write", a.advise.write, "Write the config with the advised settings to this file")
       ->type_name("FILE");
   add_shown(advise, "--out", a.options.out, "Folder for the results; the runs go to its subfolder advise");
@@ -446,14 +454,14 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
       [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.mesh_copy, a.json); });
   mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
   mesh->add_option("--bad-triangles", a.bad_triangles,
-                   "What to do with a bad mesh, as the setting /mesh/bad_triangles")
+                   "What to do with a bad mesh: a value of the setting /mesh/bad_triangles")
       ->check(CLI::IsMember(std::vector<std::string>(bad_triangles_names.begin(), bad_triangles_names.end())))
       ->capture_default_str();
-  mesh->add_option("--write", a.mesh_copy,
-                   "Write the mesh as it was accepted to this file (.obj, .ply or .off)")
+  mesh->add_option("--write", a.mesh_copy, "Write the accepted mesh to this file (.obj, .ply or .off)")
       ->type_name("FILE");
-  add_shown(mesh, "--needle-ratio", a.thresholds.needle_ratio,
-            "A triangle is a needle if its longest edge is at least this many times its shortest")
+  add_shown(
+      mesh, "--needle-ratio", a.thresholds.needle_ratio,
+      "A triangle is a needle if its longest edge is at least this many times as long as its shortest edge")
       ->check(CLI::Range(1.0, 1e9));
   add_shown(mesh, "--cap-angle", a.thresholds.cap_angle,
             "A triangle is a cap if one of its angles is at least this many degrees")
@@ -491,7 +499,7 @@ void add_documentation(CLI::App& app, Arguments& a, const char* name, const char
   add_json(command, a, "Print JSON");
 }
 
-// The command that checked_read.hpp runs in a process of its own.
+// The command that checked_read.hpp runs in a separate process.
 void add_read_file_command(CLI::App& app, Arguments& a) {
   CLI::App* read = add_command(app, a, "read-file", "Print the record of a run file",
                                [&a] { return print_record(a.run); });
@@ -505,15 +513,14 @@ void add_completion_command(CLI::App& app, Arguments& a) {
                                        print_text("{}", completion_script(app, a.run));
                                        return int{exit_ok};
                                      });
-  completion
-      ->add_option("SHELL", a.run, "The shell, which reads the script by: source <(bendlab completion bash)")
+  completion->add_option("SHELL", a.run, "The shell, in which to type: source <(bendlab completion bash)")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh"}));
 }
 
 int test_command() {
   throw UsageError(
-      "the tests are built and run by the start script: ./bendlab test [ctest arguments], in the checkout");
+      "only the start script in the checkout builds and runs the tests: ./bendlab test [ctest arguments]");
 }
 
 /// Prints CLI11's message; for an unknown command, the command that was probably meant.
@@ -579,9 +586,9 @@ int dispatch(int argc, char** argv) {
   return arguments.command();
 }
 
-// If a standard stream is closed, the next file that is opened gets the number of the stream. A run file, for
-// example, would then receive what is printed. So closed streams are opened on /dev/null: writing to such a
-// stdout fails, writing to such a stderr succeeds.
+// Opens closed standard streams on /dev/null. Otherwise the next file that is opened, such as a run file,
+// would get the number of the stream and receive what is printed. Then writing to a closed stdout fails, and
+// writing to a closed stderr succeeds.
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)

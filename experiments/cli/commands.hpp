@@ -1,4 +1,4 @@
-// The commands behind the command line. Each returns its exit code, or throws (see errors.hpp).
+// The commands of the command line. A command returns its exit code, or throws (see errors.hpp).
 #pragma once
 
 #include <cstdint>
@@ -33,18 +33,18 @@ int plan_command(const ConfigArguments& configs, const std::filesystem::path& ou
 /// Checks configs. `strict`: builds every run, and treats warnings as errors.
 int validate_command(const ConfigArguments& configs, bool strict);
 
-/// What is printed about the runs on stdout.
+/// What is printed on stdout about the runs.
 enum class Report { tables, lines, json, explanations };
 
-/// Computes the runs of the experiments. Prints each experiment as soon as its last run is over, or each run
-/// as a line of JSON or as its step plan. Leaves out runs that were not started because of a signal.
+/// Computes the runs of the experiments. Prints a report of each experiment when its last run is over, or a
+/// line of JSON or a step plan for each run. Leaves out runs that were not started because of a signal.
 /// `strict`: warnings are errors. Returns the exit code.
 int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
                    bool strict = false);
 
 struct ReproduceArguments {
   std::string what = "everything";  ///< one of reproducible()
-  /// Folder for runs and pages. Empty: runs go to the checkout's folder results, the page to results/own.
+  /// Folder for runs and pages. Empty: the checkout's folder results for runs, and results/own for pages.
   std::filesystem::path out;
   bool committed = false;  ///< replace the committed page, below the checkout's results
   bool full = false;       ///< also run the configs whose names end in _full
@@ -54,8 +54,8 @@ struct ReproduceArguments {
 /// The names that ReproduceArguments::what may have, the default first.
 std::vector<std::string> reproducible();
 
-/// Runs the experiments, draws the page of figures and checks, into a folder of the page's name, and prints
-/// what differs from the committed page.
+/// Runs the experiments, writes their page with figures and checks into a folder with the page's name, and
+/// prints what differs from the committed page.
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
 
 struct WorkArguments {
@@ -65,7 +65,7 @@ struct WorkArguments {
 /// Computes the runs of a plan, together with other processes.
 int work_command(const WorkArguments& arguments, CampaignOptions options, bool json);
 
-/// Prints the progress of the runs of a plan, wherever they are computed.
+/// Prints the progress of the runs of a plan, which may be computed on any machine.
 int status_command(const std::filesystem::path& plan, bool json);
 
 struct SubmitArguments {
@@ -75,7 +75,7 @@ struct SubmitArguments {
   std::vector<std::string> sbatch;  ///< further options for sbatch
   bool dry_run = false;             ///< only print the batch file; write nothing
 };
-/// Writes a plan and its batch file below <out>/plans, and hands it to Slurm.
+/// Writes a plan and its batch file below <out>/plans, and submits the batch file to Slurm.
 int submit_command(const ConfigArguments& configs, const std::filesystem::path& out,
                    const SubmitArguments& arguments);
 
@@ -136,8 +136,8 @@ struct PageArguments {
 /// Writes a page of any runs, and prints the path of the page.
 int report_command(const PageArguments& arguments);
 
-/// Writes the same page and opens it in the browser. With `live`, serves the page of a run that is being
-/// computed at 127.0.0.1.
+/// Writes the same page and opens it in the browser. With `live`, serves at 127.0.0.1 the page of a run that
+/// is being computed.
 int view_command(const PageArguments& arguments);
 
 struct StiffnessArguments {
@@ -169,9 +169,9 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
 /// Measures what the solver costs on this machine. `list`: only prints the names of the benchmarks.
 int bench_command(const BenchOptions& options, bool list, bool json);
 
-/// Prints the diagnosis and quality of a mesh file as `policy` (one of bad_triangles_names) accepts it. If
-/// the policy refuses the mesh, prints what the other policies would do. Writes the accepted mesh to the file
-/// `write`, unless `write` is empty.
+/// Prints the diagnosis and quality of the mesh that `policy` (one of bad_triangles_names) makes of a mesh
+/// file. If the policy refuses the file, prints what the other policies would do. If `write` is not empty,
+/// writes the accepted mesh to this file.
 int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds,
                  std::string_view policy, const std::filesystem::path& write, bool json);
 

@@ -119,7 +119,7 @@ bool has_many_runs(const std::string& argument) {
   return !fs::exists(fs::path(argument) / "run.vtkhdf") && unfinished_files(argument).empty();
 }
 
-// Compares two sweeps point by point, by the metrics that most people look at.
+// Compares two sweeps point by point, in the most important metrics.
 int compare_sweeps(const CompareArguments& arguments, bool json) {
   RunsByPoint ones(arguments.one), others(arguments.other);
   if (ones.experiments.size() == 1 && others.experiments.size() == 1)
@@ -161,10 +161,11 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
                ones.runs.size() - in_both, others.runs.size() - in_both);
   for (const auto& [folder, runs] : {std::pair(&arguments.one, &ones), std::pair(&arguments.other, &others)})
     if (runs->left_out > 0)
-      print_text(stderr,
-                 "bendlab: '{}' has several runs at some points of the sweep. Of these only the run that "
-                 "ended last was compared ({} left out). To compare other runs, name them by their ids\n",
-                 *folder, counted(runs->left_out, "run"));
+      print_text(
+          stderr,
+          "bendlab: '{}' has several runs at some points of the sweep. At such a point, only the run that "
+          "ended last was compared ({} left out). To compare another run, name the run by its id\n",
+          *folder, counted(runs->left_out, "run"));
   return exit_ok;
 }
 

@@ -18,7 +18,7 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return options;
 }
 
-// The pointers of all settings, without settings of single effects.
+// The pointers of all settings, except the settings of effects.
 std::vector<std::string> pointers() {
   std::vector<std::string> pointers;
   for (const std::string& pointer : known_pointers(Json::object()))

@@ -1,4 +1,4 @@
-// `bendlab run --explain`: what a scene's step consists of, and which parts of it did nothing.
+// `bendlab run --explain`: the passes (parts) of a scene's step, and the effects that changed nothing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace bendlab {
 namespace {
 
-// What takes time outside of the steps.
+// Parts of a run that take time outside of the steps.
 constexpr std::array around_the_steps = {
     MethodPass{"set_up", "mesh, constraints, colouring; once"},
     MethodPass{"recording", "/output: metrics and the run file"},
 };
 
-// Whether a pass belongs to the effect of that name: "plane 2", "self_collision: candidates".
+// Whether a pass belongs to the effect `name`, as "plane 2" and "self_collision: candidates" do.
 bool belongs(const std::string& pass, const std::string& name) {
   return pass == name || pass.starts_with(name + ":");
 }
@@ -37,7 +37,7 @@ std::string reason_of(const std::string& pass, const RunConfig& config, const st
   return "";
 }
 
-// Lists the effects that changed nothing: they have no pass, or their passes never acted.
+// Lists the effects that changed nothing: effects without a pass, and effects whose passes never acted.
 std::string ineffective_text(const RunOutcome& outcome, const std::vector<Effect>& effects) {
   std::string text;
   for (std::size_t index = 0; index < effects.size(); ++index) {

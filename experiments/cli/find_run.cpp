@@ -38,8 +38,8 @@ std::optional<fs::path> only_run(const std::string& run, const std::vector<fs::p
   if (files.size() == 1) return files.front();
   std::string all;
   for (const fs::path& file : files) all += "\n  " + file.string();
-  throw UsageError(
-      fmt::format("'{}' could be any of these {} runs; name a single run:{}", run, files.size(), all));
+  throw UsageError(fmt::format("'{}' fits these {} runs; name one run, for example by its file:{}", run,
+                               files.size(), all));
 }
 
 RunRecord find_run(const std::string& run, const fs::path& folder) {
@@ -49,8 +49,8 @@ RunRecord find_run(const std::string& run, const fs::path& folder) {
   if (const auto file = only_run(run, is_folder ? find_run_files(run) : files_by_id(run, folder)))
     return read_checked(*file);
   throw UsageError(
-      fmt::format("'{}' is not a run file and not a folder with a run file, and no run in '{}' has an id "
-                  "that begins like this; 'bendlab list {}' lists the runs in this folder",
+      fmt::format("'{}' is not a run file, not a folder with a run file, and not the beginning of the id of "
+                  "a run in '{}'; 'bendlab list {}' lists the runs in this folder",
                   run, folder.string(), folder.string()));
 }
 

@@ -23,7 +23,7 @@ struct ToBuild {
   double expected_s;
 };
 
-// The first of all runs that are built alike. The run that is built fastest comes first.
+// One run for each scene that runs have in common. The run that is built fastest comes first.
 std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
   std::vector<ToBuild> distinct;
   std::set<std::string> seen;
@@ -33,7 +33,7 @@ std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
   return distinct;
 }
 
-// Runs that cannot be built, all for the same reason.
+// Several runs that cannot be built for the same reason.
 struct Refused {
   CampaignRun first;
   Failure failure;
@@ -91,8 +91,8 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
     known.warnings += collected_warnings(built).size();
     if (tried < distinct.size())
       print_text(stderr,
-                 "bendlab: {}: {} of {} checked, because to check all would take longer than {:.0f} s; "
-                 "--strict checks all\n",
+                 "bendlab: {}: {} of {} checked, because the check of all scenes would take longer than "
+                 "{:.0f} s; --strict checks all scenes\n",
                  experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
   }
   return known;

@@ -17,9 +17,9 @@ struct KnownBefore {
   int exit_code = 0;  ///< of the first run that cannot be built; 0 if every run can
 };
 
-/// Builds all that the runs have before their first step (set_up.hpp), only once for runs that are built
-/// alike. The run that is built fastest comes first. Prints warnings, and why runs cannot be built, each text
-/// once per experiment. Unless `all` is true, stops after ten seconds and prints how many runs were built.
+/// Builds the scene of each run (set_up.hpp), only once for runs with the same scene, and the fastest first.
+/// Prints warnings, and why runs cannot be built, each text once per experiment. Stops after ten seconds and
+/// prints how many scenes were built; with `all`, builds every scene.
 KnownBefore look_before(const std::vector<Experiment>& experiments, bool all);
 
 }  // namespace bendlab

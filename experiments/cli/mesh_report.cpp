@@ -45,7 +45,7 @@ std::vector<Count> counts_of(const MeshQuality& quality, const QualityThresholds
   return {{"needles", quality.needles,
            fmt::format("longest edge at least {} times the shortest", thresholds.needle_ratio)},
           {"caps", quality.caps, fmt::format("an angle of at least {}°", thresholds.cap_angle)},
-          {"collinear", quality.collinear, "exactly degenerate: the three points on one line"},
+          {"collinear", quality.collinear, "the three points lie exactly on one line"},
           {"degenerate_triangles", quality.degenerate_triangles, "needle, cap or collinear"},
           {"small_angles", quality.small_angles, fmt::format("an angle below {}°", thresholds.small_angle)}};
 }

@@ -33,7 +33,7 @@ bool has_sweep_file(const fs::path& folder) {
                              [](const fs::directory_entry& entry) { return is_sweep_file(entry.path()); });
 }
 
-/// "; did you mean 'results/first'?", with the most similar name beside the path or in the folder of results.
+/// "; did you mean 'results/first'?" Suggests the most similar name beside `result` or in `folder`.
 std::string nearest_result(const fs::path& result, const fs::path& folder) {
   const std::string name = result.filename().string();
   for (const fs::path& place : {result.parent_path(), folder}) {
@@ -49,7 +49,7 @@ std::string nearest_result(const fs::path& result, const fs::path& folder) {
   return "";
 }
 
-/// The sweep file that `run` wrote for a config into the folder of results, or the folder of its runs.
+/// The sweep file that `bendlab run` wrote for a config, or the folder of the config's runs.
 fs::path sweep_of(const fs::path& config, const fs::path& folder) {
   const Experiment experiment = load_experiment(config);
   const fs::path sweep = sweep_file(folder, experiment), runs = folder / experiment.name;
@@ -59,7 +59,7 @@ fs::path sweep_of(const fs::path& config, const fs::path& folder) {
                                config.string(), runs.string(), config.string()));
 }
 
-/// The result that an argument names: a folder with runs, a sweep file, a config, a run file or a run's id.
+/// What an argument names: a folder with runs, a sweep file, a config, a run file or a run's id.
 fs::path found_result(const std::string& result, const fs::path& folder) {
   const fs::path path = result;
   if (fs::is_regular_file(path) && path.extension() == ".json" && !is_sweep_file(path))
@@ -76,13 +76,13 @@ fs::path found_result(const std::string& result, const fs::path& folder) {
   if (may_be_id)
     if (const std::optional<fs::path> file = only_run(result, files_by_id(result, folder))) return *file;
   throw UsageError(fmt::format(
-      "'{}' is not a folder of results and not a run file, and no run in '{}' has an id that begins like "
-      "this{} 'bendlab list {}' lists the runs in this folder",
+      "'{}' is not a folder of results, not a run file, and not the beginning of the id of a run in '{}'{} "
+      "'bendlab list {}' lists the runs in this folder",
       result, folder.string(), nearest_result(path, folder).empty() ? ";" : nearest_result(path, folder),
       folder.string()));
 }
 
-/// The default file of the page: in the result's folder, or in the innermost common folder of several
+/// The default file of the page, in the result's folder, or in the innermost folder that contains all
 /// results.
 fs::path default_page(const std::vector<fs::path>& results) {
   const auto home = [](const fs::path& result) {
@@ -102,7 +102,7 @@ fs::path default_page(const std::vector<fs::path>& results) {
   return near.string().starts_with("..") ? page : near;
 }
 
-/// The command as it is printed on the page.
+/// The command, as printed on the page.
 std::string command_text(const char* command, const PageArguments& arguments) {
   std::string text = fmt::format("./bendlab {}", command);
   for (const std::string& result : arguments.results) text += " " + shell_quoted(result);
@@ -114,14 +114,14 @@ std::string command_text(const char* command, const PageArguments& arguments) {
   return text;
 }
 
-/// The command line of Python with a script of the checkout, and the arguments that every page needs.
+/// The command line that runs a Python script of the checkout with the arguments that every page needs.
 std::vector<std::string> script_call(const char* script, const char* command, const PageArguments& arguments,
                                      const std::vector<fs::path>& results) {
   const fs::path path = fs::path(BENDLAB_SOURCE_DIR) / "analysis" / script;
   if (!fs::is_regular_file(path))
     throw UsageError(
-        fmt::format("{} needs the scripts of the checkout that this program was built from, and "
-                    "'{}' is not there: run ./bendlab {} in a checkout",
+        fmt::format("{} needs the scripts of the checkout that this program was built from, but '{}' does "
+                    "not exist: run ./bendlab {} in a checkout",
                     command, path.string(), command));
   std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--command",
                                    command_text(command, arguments)};

@@ -67,7 +67,7 @@ void print_section(const char* heading, const std::map<std::string, std::string>
   print_text("\n{}", table.text());
 }
 
-// Throws UsageError unless a run has `name`: the setting, if it is a pointer, else the metric.
+// Throws UsageError if no run has the setting or metric `name`. A setting is named by its pointer.
 void require_known(const std::vector<RunRecord>& records, const char* option, const std::string& name) {
   std::vector<std::string> known;
   for (const RunRecord& record : records) {
@@ -200,7 +200,7 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
 
 namespace {
 
-// What each other policy would do with a file that was refused.
+// What each of the other policies would do with a mesh file that was refused.
 std::string policies_text(const fs::path& file) try {
   const PolygonSoup soup = read_polygon_soup(file);
   if (soup.triangles.empty()) return "";

@@ -20,7 +20,7 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(run.experiment->expectations, *run.config, run.outcome->summary);
 }
 
-/// The message of the run, if the run does not have the metric.
+/// The run's message, which may say why the run does not have the metric; "" if it has the metric.
 std::string why_missing(const CampaignRun& run, const ExpectationResult& result) {
   return result.measured || run.outcome->message.empty() ? ""
                                                          : "; message of the run: " + run.outcome->message;
@@ -37,7 +37,7 @@ std::string failed_expectations(std::span<const CampaignRun> runs) {
   return text;
 }
 
-/// A line per expectation that holds, with the first run it was checked on.
+/// A line per expectation that holds, with the first run on which the expectation was checked.
 std::string held_expectations(std::span<const CampaignRun> runs) {
   struct Held {
     std::string key, first;
@@ -74,7 +74,7 @@ std::string verdicts_and_warnings(std::span<const CampaignRun> runs) {
   return text;
 }
 
-/// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if there are none.
+/// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if no pass has so much.
 std::string pass_shares(const std::vector<PassTime>& passes) {
   double all = 0;
   for (const PassTime& pass : passes) all += pass.seconds;
@@ -88,8 +88,8 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// Wall and CPU time of the runs, and the passes that took it. For reused runs, the time when they were
-/// computed.
+/// Wall and CPU time of the runs, and the shares of the passes. Reused runs count with the time that they
+/// took when they were computed.
 std::string time_text(std::span<const CampaignRun> runs) {
   double wall_s = 0, cpu_s = 0;
   std::vector<PassTime> passes;

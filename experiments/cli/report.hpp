@@ -1,5 +1,4 @@
-// What `bendlab run` prints about its runs: a line of JSON per run, a step plan per run, or a table per
-// experiment.
+// The reports of `bendlab run`: a line of JSON per run, a step plan per run, or a table per experiment.
 #pragma once
 
 #include <span>
@@ -18,11 +17,10 @@ Json run_json(const CampaignRun& run);
 /// ended.
 std::string run_table(std::span<const CampaignRun> runs);
 
-/// A table for each measure that /output/measures names, below the measure's name; "" if the runs have no
-/// metric of them.
+/// A table for each measure that /output/measures names, below the measure's name; "" without such metrics.
 std::string measure_tables(std::span<const CampaignRun> runs);
 
-/// The table of runs; what took the time; which expectations hold; what made runs implausible, and their
+/// The table of runs, the passes that took the time, the expectations, the bounds that runs broke, and the
 /// warnings. `runs`: the runs of one experiment.
 std::string experiment_text(std::span<const CampaignRun> runs);
 
@@ -30,8 +28,8 @@ std::string experiment_text(std::span<const CampaignRun> runs);
 /// not hold.
 std::string experiment_line(std::span<const CampaignRun> runs);
 
-/// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its
-/// share of the time; then the listed effects that changed nothing in this run.
+/// The step plan of a run that is over. For each pass: the setting that needs it, its number of calls, how
+/// much it changed, its share of the time. Then the effects that changed nothing in this run.
 std::string explain_text(const CampaignRun& run);
 
 /// Whether every expectation holds in every run that has a summary.

@@ -1,4 +1,4 @@
-// `bendlab reproduce`: runs experiments of the checkout, then draws the page of their figures and checks.
+// `bendlab reproduce`: runs experiments of the checkout, then makes a page with their figures and checks.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -18,14 +18,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Experiments that are run together; the page is drawn after them.
+/// One stage: experiments that are run together, after which the page is made.
 struct PageStage {
   std::array<std::string_view, 3> configs;  ///< folders or files below configs/
   std::string_view option{};                ///< an option for analysis/page.py
 };
 
-/// A set of experiments with a page. It has stages so that a first picture is drawn before the later stages
-/// run.
+/// A set of experiments with a page. After the first stage the page already has a first figure.
 struct Reproducible {
   std::string_view name, page;  ///< `page`: its name for analysis/page.py, and the name of its folder
   std::array<PageStage, 3> stages;
@@ -42,13 +41,13 @@ constexpr std::array reproducibles = {
     Reproducible{"plain", "plain", {PageStage{{"plain"}}}},
 };
 
-/// Whether a config is left out, by the end of its name.
+/// Whether a config is left out because of the end of its name.
 bool is_left_out(const fs::path& config, const ReproduceArguments& arguments) {
   const std::string name = config.stem().string();
   return (name.ends_with("_full") && !arguments.full) || (name.ends_with("_slow") && arguments.quick);
 }
 
-/// The JSON files in a folder, sorted by name. For a file, the file itself.
+/// The JSON files in a folder, sorted by name. `folder` may also be one file.
 std::vector<fs::path> configs_in(const fs::path& folder) {
   if (fs::is_regular_file(folder)) return {folder};
   std::vector<fs::path> files;
@@ -58,7 +57,7 @@ std::vector<fs::path> configs_in(const fs::path& folder) {
   return files;
 }
 
-/// The experiments of a stage. `leaves_out` becomes true if --quick leaves out one of their configs.
+/// The experiments of a stage. `leaves_out` becomes true if --quick leaves out a config.
 std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& folder,
                                        const ReproduceArguments& arguments, bool& leaves_out) {
   ConfigArguments configs;
@@ -73,7 +72,7 @@ std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& f
   return load_experiments(configs);
 }
 
-/// Runs a script of analysis/ with Python. Returns exit_ok, or the exit code of its failure.
+/// Runs a script of analysis/ with Python. Returns exit_ok, exit_failed, or the exit code of a stop signal.
 int run_script(const fs::path& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> call = {BENDLAB_PYTHON, script.string()};
   call.insert(call.end(), arguments.begin(), arguments.end());
@@ -97,19 +96,20 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
   const fs::path source = BENDLAB_SOURCE_DIR;
   if (!fs::is_directory(source / "configs"))
     throw UsageError(
-        fmt::format("reproduce needs the configs and scripts of the checkout that this program was "
-                    "built from, and '{}' is not there: run ./bendlab reproduce in a checkout",
+        fmt::format("reproduce needs the configs and scripts of the checkout that this program was built "
+                    "from, but '{}' does not exist: run ./bendlab reproduce in a checkout",
                     source.string()));
   options.out = arguments.out.empty() ? source / "results" : arguments.out;
   const fs::path pages = arguments.out.empty() && !arguments.committed ? options.out / "own" : options.out,
                  page = pages / what.page;
   std::vector<std::vector<Experiment>>
-      experiments;  // of each stage; all configs are read before the first run
+      experiments;  // of each stage; all configs are checked before the first run
   bool leaves_out = false;
   for (const PageStage& stage : what.stages)
     experiments.push_back(experiments_of(stage, source / "configs", arguments, leaves_out));
   if (arguments.quick && !leaves_out)
-    print_text(stderr, "bendlab: --quick changes nothing here: no config of {} is slow\n", what.name);
+    print_text(stderr, "bendlab: --quick changes nothing: no config of {} has a name that ends in _slow\n",
+               what.name);
 
   int code = exit_ok;
   for (std::size_t i = 0; i < what.stages.size(); ++i) {
@@ -122,7 +122,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
     std::vector<std::string> drawing = {std::string(what.page), "--results", options.out.string(), "--out",
                                         page.string()};
     if (!stage.option.empty()) drawing.emplace_back(stage.option);
-    // page.py prints where the page is.
+    // page.py prints the path of the page.
     if (const int drawn = run_script(source / "analysis/page.py", drawing); drawn != exit_ok) return drawn;
   }
   if (!arguments.committed)

@@ -23,8 +23,9 @@ class ScratchFolder {
  public:
   ScratchFolder() : path_((fs::temp_directory_path() / "bendlab-rerun-XXXXXX").string()) {
     if (!mkdtemp(path_.data()))
-      throw RunFileError(fmt::format("no folder can be made in '{}'; name one with --out",
-                                     fs::temp_directory_path().string()));
+      throw RunFileError(
+          fmt::format("no folder can be made in '{}'; name a folder for the new run with --out",
+                      fs::temp_directory_path().string()));
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -58,7 +59,7 @@ void print(const RunRecord& run, const Repetition& repetition) {
   else
     print_text("repeated: DIFFERENT BITS in {}\n", fmt::join(repetition.differing_parts, ", "));
   if (repetition.changed.empty()) {
-    print_text("by the same program, on the same machine with the same libraries\n");
+    print_text("by the same program, on the same machine, with the same libraries as before\n");
     return;
   }
   Table table({"changed since", "then", "now"});
@@ -71,7 +72,7 @@ void print(const RunRecord& run, const Repetition& repetition) {
 int rerun_command(const RerunArguments& arguments, bool json) {
   const RunRecord run = find_run(arguments.run, arguments.folder);
   if (!is_over(run.status))
-    throw UsageError(fmt::format("'{}' is {}: only a run that is over can be repeated", run.file.string(),
+    throw UsageError(fmt::format("'{}' is {}: only a run that has ended can be repeated", run.file.string(),
                                  to_string(run.status)));
   catch_stop_signals();
   const ScratchFolder scratch;

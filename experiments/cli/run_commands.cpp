@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Throws before anything is computed if the results can't be written.
+/// Throws if the results can't be written, before anything is computed.
 void check_writable(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
@@ -39,14 +39,14 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// What runs need: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".
+/// The needs of runs: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".
 std::string needs_text(const Needs& needs) {
   return fmt::format("about {} of CPU time, up to {} of memory for a run, {} of disk",
                      duration_text(needs.cpu_s), bytes_text(needs.most_memory_bytes),
                      bytes_text(needs.disk_bytes));
 }
 
-/// Prints on stderr what the runs need, if they need much. (`plan` always prints this.)
+/// Prints the needs of the runs on stderr, if the needs are large. (`plan` always prints them.)
 void print_large_needs(const std::vector<CampaignRun>& runs) {
   constexpr double long_s = 60, large_bytes = 1e9;
   Needs needs;
@@ -65,7 +65,7 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
       known.exit_code != exit_ok) {
     return known.exit_code;
   } else if (known.warnings > 0) {
-    print_text(stderr, "bendlab: nothing was computed, because --strict makes these warnings errors\n");
+    print_text(stderr, "bendlab: nothing was computed, because --strict turns these warnings into errors\n");
     return exit_failed;
   }
   const std::vector<SweepFile> sweeps = sweep_files(options.out, experiments);  // before anything is created
@@ -96,8 +96,9 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
   if (const int code = stop_exit_code(); code != 0) {
     const auto complete = std::ranges::count_if(
         runs, [](const CampaignRun& run) { return run.outcome && is_whole(run.outcome->status); });
-    print_text(stderr, "bendlab: stopped; {} of {} complete; the same command computes the rest\n", complete,
-               counted(runs.size(), "run"));
+    print_text(stderr,
+               "bendlab: stopped; {} of {} complete; the same command, run again, computes the other runs\n",
+               complete, counted(runs.size(), "run"));
     return code;
   }
   const int code = campaign_exit_code(runs);
@@ -149,7 +150,7 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
     if (found.kind == RunState::Kind::over && is_whole(found.record.status)) took_s = found.record.cpu_s;
     needs = forecast(config);
   });
-  // Complete runs show by which factor the forecast of the time is wrong; correct the other runs by it.
+  // Multiplies the forecast times by the ratio of measured to forecast time of the complete runs.
   double measured_s = 0, forecast_s = 0;
   for (const KnownRun& run : known)
     if (run.took_s > 0 && run.needs) measured_s += run.took_s, forecast_s += run.needs->cpu_s;
@@ -169,8 +170,8 @@ Json known_run_json(const Experiment& experiment, const RunConfig& config, const
   return line;
 }
 
-/// How many combinations of values a cover has, and which it lacks, in a few lines; empty for a sweep without
-/// cover.
+/// A few lines about a cover: the number of combinations of values in its runs, and the missing combinations.
+/// Empty for a sweep without cover.
 std::string cover_text(const Covered& cover) {
   if (cover.strength == 0) return "";
   std::string text =

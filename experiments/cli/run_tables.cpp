@@ -27,8 +27,8 @@ bool has_number(const CampaignRun& run, const std::string& name) {
   return run.outcome && run.outcome->summary.contains(name);
 }
 
-/// A metric of a run's summary, empty if the run does not have it. An estimate below its range is written as
-/// "< 0.01".
+/// A metric of a run's summary as text, "" if the run does not have the metric. An effective stiffness that
+/// is too small for a reliable estimate is written as "< 0.01".
 std::string number_cell(const CampaignRun& run, const std::string& name) {
   if (!has_number(run, name)) return "";
   const double value = run.outcome->summary.at(name);
@@ -44,7 +44,7 @@ std::string status_cell(const CampaignRun& run) {
   return fine ? text : coloured(text, Colour::red, stdout);
 }
 
-/// The names of columns in the order in which they were added, each once.
+/// A list of names of columns, without repetitions.
 class ColumnNames {
  public:
   void add(const std::string& name) {
@@ -56,8 +56,8 @@ class ColumnNames {
   std::vector<std::string> names_;
 };
 
-/// The main columns; the metrics that are expected; the effective stiffnesses, if a run has less than 90 % of
-/// the stated stiffness; the errors, if runs have them.
+/// The main columns, the expected metrics, the effective stiffnesses (if a run has less than 90 % of the
+/// stated stiffness), and the errors (if runs have errors).
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   ColumnNames columns;
   for (const char* name : main_columns) columns.add(name);
@@ -107,7 +107,7 @@ std::string numbers_table(std::span<const CampaignRun> runs, std::span<const std
   return table.text();
 }
 
-/// How many of the names fit beside the swept values into a table of ordinary width; at least one.
+/// How many of the metrics `names` fit into a table of ordinary width, beside the swept values; at least 1.
 std::size_t how_many_fit(const Experiment& experiment, std::span<const std::string> names,
                          std::string_view measure) {
   constexpr std::size_t ordinary = 110, gap = 2, number = 9;  // columns of a terminal

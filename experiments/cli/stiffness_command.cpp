@@ -31,15 +31,16 @@ std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, d
       {"clamp_offset", options.clamp_offset, "m", "how far behind the clamp's edge the strip begins to bend"},
       {"effective_length", s.effective_length, "m", "length + clamp_offset"},
       {"drop", s.drop, "m", "H: how far the free end hangs down"},
-      {"reach", s.reach, "m", "W: how far the free end reaches out, + clamp_offset"},
+      {"reach", s.reach, "m",
+       "W: horizontal distance of the free end from the clamp's edge, plus clamp_offset"},
       {"height_over_width", s.height_over_width, "1", "H / W"},
-      {"settling", settling, "1", "range of H/W in the last tenth of the frames, over its last value"},
+      {"settling", settling, "1", "range of H/W in the last tenth of the frames, divided by the last H/W"},
       {"stretch", s.stretch, "1", "stretch of the middle line"},
-      {"gamma", s.gamma, "1", "ρ g L³ / B, from H/W on the curve of m = B κ"},
+      {"gamma", s.gamma, "1", "ρ g L³ / B, computed from H/W for m = B κ"},
       {"amplification", s.amplification, "1", "d ln gamma / d ln H/W"},
       {"flexural_rigidity", s.flexural_rigidity, "N m", "B, if m = B κ"},
       {"bending_length", s.bending_length, "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
-      {"quartic_gamma", s.quartic_gamma, "1", "ρ g L⁵ / C, from H/W on the curve of m = C κ³"},
+      {"quartic_gamma", s.quartic_gamma, "1", "ρ g L⁵ / C, computed from H/W for m = C κ³"},
       {"quartic_amplification", s.quartic_amplification, "1", "d ln quartic_gamma / d ln H/W"},
       {"quartic", s.quartic, "N m³", "C, if m = C κ³ (springs)"},
       {"exclude", options.exclude, "m", "length at the clamp and at the free end that the fit leaves out"},
@@ -71,7 +72,8 @@ RunConfig config_of(const RunRecord& record) {
   }
 }
 
-// (largest - smallest) / last of H/W over the last tenth of the frames up to `last`, at least two.
+// (largest - smallest) / last value of H/W, over the last tenth of the frames up to `last`, at least two
+// frames.
 double settling_of(const RunRecord& record, std::int64_t last, const RunStrip& strip) {
   if (last == 0) return std::numeric_limits<double>::quiet_NaN();
   double low = std::numeric_limits<double>::infinity(), high = -low, value = 0;

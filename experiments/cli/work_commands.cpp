@@ -45,8 +45,7 @@ void print_news(const std::string& what) {
   print_text(stderr, "bendlab: {}\n", what);
 }
 
-/// Number of tasks such that each is expected to last at least a minute; at most `most`, and at most one per
-/// run.
+/// The largest number of tasks that are each expected to last a minute; at most `most` and one per run.
 std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::size_t most) {
   constexpr double shortest_task_s = 60;
   double sum = 0, longest = 0;
@@ -87,8 +86,8 @@ exit "$code"
                             shell_quoted(own_program()), shell_quoted(plan.string()), tasks, arguments.cpus);
 }
 
-/// Submits a batch file and returns what sbatch printed, the job's number. Throws UsageError if there is no
-/// sbatch, or if sbatch refuses.
+/// Submits a batch file and returns the job's number, which sbatch prints. Throws UsageError if there is no
+/// sbatch, or if sbatch refuses the file.
 std::string submit(const fs::path& batch) {
   const std::string command = fmt::format("sbatch --parsable {} 2>&1", shell_quoted(batch.string()));
   std::FILE* const pipe = ::popen(command.c_str(), "r");
@@ -101,7 +100,7 @@ std::string submit(const fs::path& batch) {
   while (output.ends_with('\n')) output.pop_back();
   if (status != 0)
     throw UsageError(fmt::format(
-        "Slurm's sbatch refused {}: {}. The plan was written; 'bendlab work' computes it without Slurm",
+        "Slurm's sbatch refused {}: {}. The plan was written; 'bendlab work' computes the plan without Slurm",
         batch.string(), output));
   return output;
 }
@@ -131,7 +130,7 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
       "{} of {} computed here, {} computed by other processes, {} being computed elsewhere, {} failed",
       computed, counted(runs.size(), "run"), found, left, failed));
   if (stop_exit_code() != 0)
-    print_news("stopped; unfinished runs wrote checkpoints, and the same command continues from there");
+    print_news("stopped; unfinished runs wrote checkpoints, from which the same command continues");
   return campaign_exit_code(runs);
 }
 
@@ -177,8 +176,8 @@ int status_command(const fs::path& file, bool json) {
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
   print_text("{}: {}\n", counted(plan.runs.size(), "run"), fmt::join(parts, ", "));
   if (expected_left > 0 && done_s > 0)
-    print_text("took {} of CPU time so far; up to {} may be left\n", duration_text(done_s),
-               duration_text(expected_left * done_s / expected_of_done));
+    print_text("the runs took {} of CPU time so far; the other runs may take up to {}\n",
+               duration_text(done_s), duration_text(expected_left * done_s / expected_of_done));
   if (any) print_text("\n{}", table.text());
   return exit_ok;
 }
@@ -209,7 +208,7 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
   const fs::path batch = fs::path(plan).replace_extension(".sbatch");
   replace_file(batch, text);
   const std::string job = submit(batch);
-  print_text("job {}: {} in {}; 'bendlab status {}' shows their progress\n", job,
+  print_text("job {}: {} in {}; 'bendlab status {}' shows the progress\n", job,
              counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
   return exit_ok;
 }

@@ -22,24 +22,24 @@ constexpr std::array top = {
               .meaning = "Name of the experiment and of its results folder: letters, digits, '_' and '-'",
               .required = true, .read_when = not_of_the_run}),
     field<&RunSettings::description>({.name = "description",
-              .meaning = "What the experiment is for; does not affect its runs",
+              .meaning = "What the experiment is for; does not affect the runs",
               .read_when = not_of_the_run}),
     field<&RunSettings::allow>({.name = "allow",
-              .meaning = "Verdicts that do not make the command fail: implausible, for a sweep that studies "
-                         "failure. The verdict is still printed. Does not affect the runs",
+              .meaning = "Verdicts that do not make the command fail, but are still printed: implausible, "
+                         "for a sweep that studies failure. Does not affect the runs",
               .choices = allowed, .read_when = not_of_the_run}),
     field<&RunSettings::defaults>({.name = "defaults",
               .meaning = "Defaults of the settings that a config does not state. recommended: implicit steps "
-                         "(quasi_newton) of a membrane in N/m, sound at every resolution; but pbd with "
-                         "coarse levels if the config states a setting that only projections take, such as "
-                         "k. fast: fewer iterations, in less time than the paper's settings take. reference: "
-                         "implicit steps that converge (newton), slow. paper: the settings with which we "
-                         "repeat the paper (adaptive springs with k 0.5, the pin's neighbours pinned, one "
-                         "substep of 10 iterations, published shear, gravity alone)",
+                         "(quasi_newton) of a membrane in N/m, sound at every resolution. If the config "
+                         "states a setting that only projections read, such as k, recommended has pbd with "
+                         "coarse levels instead. fast: fewer iterations, in less time than the paper's "
+                         "settings take. reference: implicit steps that converge (newton), slow. paper: the "
+                         "settings with which we repeat the paper (adaptive springs with k 0.5, the pin's "
+                         "neighbours pinned, one substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names, .read_when = not_of_the_run}),
     field<&RunSettings::settled_speed>({.name = "settled_speed", .unit = "m/s",
               .meaning = "The run ends early when no vertex has been faster than this for half a simulated "
-                         "second (checked 60 times a simulated second); its summary then has settled_at. 0: "
+                         "second (checked 60 times a simulated second). The summary then has settled_at. 0: "
                          "the run never ends early",
               .minimum = 0}),
 };
@@ -49,21 +49,22 @@ constexpr std::array accuracy = {
               .meaning = "List of changes, each \"/json/pointer=value\", that turn this run into a reference "
                          "with the same energies, such as its equilibrium. The summary then has the errors "
                          "against the reference: error_solver_rms and more. The reference is a separate run, "
-                         "below <results>/<experiment>/references. It is computed once for all runs that "
-                         "differ only in the settings changed here"}),
+                         "below <results>/<experiment>/references. Runs that differ only in the settings "
+                         "changed here share one reference"}),
     field<&Accuracy::solver_coarser>({.name = "solver_coarser",
-              .meaning = "Further changes that make a second reference, half as fine; its distance from the "
-                         "first reference is error_solver_reference_gap"}),
+              .meaning = "Further changes that make a second reference, half as fine. The distance between "
+                         "the two references is error_solver_reference_gap"}),
     field<&Accuracy::physical>({.name = "physical",
               .meaning = "List of changes that turn this run into a reference for the stated cloth. The "
-                         "reference may have another model or resolution: its pose is interpolated at this "
-                         "run's vertices. The summary then has error_physical_rms and more"}),
+                         "reference may have another model or resolution, because its pose is interpolated "
+                         "at this run's vertices. The summary then has error_physical_rms and more"}),
     field<&Accuracy::physical_coarser>({.name = "physical_coarser",
-              .meaning = "Further changes that make a second reference, half as fine; its distance from the "
-                         "first reference is error_physical_reference_gap"}),
+              .meaning = "Further changes that make a second reference, half as fine. The distance between "
+                         "the two references is error_physical_reference_gap"}),
     field<&Accuracy::start_from_end>({.name = "start_from_end",
-              .meaning = "true: the reference starts where this run ends, so that both runs come to the same "
-                         "equilibrium if the scene has many. Each run then has its own reference",
+              .meaning = "true: the reference starts where this run ends. In a scene with many equilibria, "
+                         "the reference then finds the equilibrium of this run. Each run has its own "
+                         "reference",
               .read_when = compares}),
     field<&Accuracy::align>({.name = "align",
               .meaning = "How the reference's pose is moved onto this run's pose before the two are "
@@ -73,20 +74,21 @@ constexpr std::array accuracy = {
               .choices = align_by_names, .read_when = compares}),
     field<&Accuracy::over_time>({.name = "over_time",
               .meaning = "true: compare all frames that both runs recorded at the same time, instead of only "
-                         "their last frames. The errors are then means over these frames, …_worst are the "
-                         "largest errors, and the energy has an error, too", .read_when = compares}),
+                         "the last frames. The errors are then means over the frames, metrics that end in "
+                         "_worst are the largest errors, and the energy has an error, too",
+              .read_when = compares}),
 };
 
 constexpr std::array quality = {
     field<&QualityThresholds::needle_ratio>({.name = "needle_ratio", .unit = "1",
-              .meaning = "A triangle is a needle if its longest edge is at least this many times its "
-                         "shortest",
+              .meaning = "A triangle is a needle if its longest edge is at least this many times as long as "
+                         "its shortest edge",
               .minimum = 1}),
     field<&QualityThresholds::cap_angle>({.name = "cap_angle", .unit = "degrees",
               .meaning = "A triangle is a cap if one of its angles is at least this large",
               .minimum = 90, .maximum = 180}),
     field<&QualityThresholds::small_angle>({.name = "small_angle", .unit = "degrees",
-              .meaning = "The metric small_angles counts triangles with an angle below this",
+              .meaning = "The metric small_angles counts triangles with an angle below this value",
               .minimum = 0, .maximum = 60}),
 };
 
@@ -99,9 +101,9 @@ std::array<Field, 3> make_output() {
                 .meaning = "Recorded frames per simulated second, at most one frame per step",
                 .minimum = 0, .maximum = 1e6, .above = true}),
       field<&OutputSettings::constraints>({.name = "constraints",
-                .meaning = "true: the run file lists every constraint; false: only their counts and hash"}),
+                .meaning = "true: the run file lists every constraint; false: only their number and hash"}),
       field<&OutputSettings::measures>({.name = "measures",
-                .meaning = "Measures to take in addition to those that every run has; `bendlab measures` "
+                .meaning = "Further measures, besides the measures that every run has; `bendlab measures` "
                            "lists the purpose, the metrics and the cost of each measure",
                 .choices = measures_on_request()}),
   };

@@ -1,4 +1,4 @@
-// Every setting of a config: the scene's settings, and the run's own settings beside the scene.
+// Tables of every setting of a config: the settings of the scene, and the run's own settings.
 #pragma once
 
 #include <span>
@@ -10,15 +10,14 @@
 
 namespace bendlab {
 
-/// A part of the run's own settings, RunSettings itself or one of its structs beside the scene: pointer,
-/// purpose and table of settings.
+/// One of the parts of the run's own settings: RunSettings, OutputSettings, Accuracy or QualityThresholds.
 struct RunPart {
   std::string_view pointer, meaning;
   FieldTable table;
   const void* (*in)(const RunSettings& settings);  ///< address of the part in `settings`
 };
 
-/// "" (the top level), "/output", "/accuracy" and "/quality".
+/// The parts "" (the top level), "/output", "/accuracy" and "/quality".
 std::span<const RunPart> run_parts();
 
 /// Every section, parents before children, in the order in which `bendlab schema` prints them: the top level,
@@ -31,7 +30,7 @@ const Section* find_section(std::string_view pointer);
 /// The sections directly below `pointer`.
 std::vector<const Section*> child_sections(std::string_view pointer);
 
-/// The measures that /output/measures may name. Defined in measures/measure.cpp, which knows all measures.
+/// The measures that /output/measures may name. Defined in measures/measure.cpp, which lists all measures.
 std::span<const std::string_view> measures_on_request();
 
 /// The last part of a section's pointer: its key in the parent object.

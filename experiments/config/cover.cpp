@@ -15,12 +15,12 @@ namespace {
 constexpr std::size_t open = static_cast<std::size_t>(-1);  // marks an axis that has no value yet
 constexpr std::size_t most_tuples = 20'000'000;             // one byte each
 constexpr int candidates = 10;  // rows of which the best is kept; 50 rows made the arrays only 1 % smaller
-// How many refused rows make a combination count as impossible. The first rows are greedy; in the later rows
-// about every second value is random. Suppose a combination is allowed only with one of the two values of
-// another axis: then all 55 random rows miss that value with a probability of 0.75^55 = 10⁻⁷.
+// A combination of values counts as impossible after 60 refused rows. The first 5 rows are greedy. In the 55
+// later rows about every second value is random. Suppose a combination is allowed only with one of the two
+// values of another axis: all 55 rows miss that value with a probability of 0.75^55 = 10⁻⁷.
 constexpr int greedy_attempts = 5, most_attempts = 60;
 
-// A generator of our own, because the standard library's distributions differ between machines.
+// Random numbers that are the same on every machine, unlike those of the standard library's distributions.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : seed_(seed) {}
@@ -37,7 +37,7 @@ class Random {
   std::uint64_t seed_, drawn_ = 0;
 };
 
-// Keeps track of the combinations of values of any `strength` axes: which of them are in a row.
+// Records which combinations of values of any `strength` axes are in a row already.
 class Coverage {
  public:
   Coverage(std::span<const std::size_t> sizes, std::size_t strength) : sizes_(sizes) {
@@ -51,8 +51,8 @@ class Coverage {
   std::size_t tuples() const { return tuples_; }
   std::size_t missing() const { return missing_; }
 
-  /// How many uncovered combinations `row` would cover with `value` at `axis`. Combinations with an axis that
-  /// has no value yet do not count.
+  /// The number of uncovered combinations that `row` would cover with `value` at `axis`. Counts only
+  /// combinations of axes that have a value.
   std::size_t gain(CoverRow& row, std::size_t axis, std::size_t value) const {
     row[axis] = value;
     std::size_t gain = 0;
@@ -73,8 +73,7 @@ class Coverage {
     for (Group& group : groups_) settle(group, index_in(group, row), covered);
   }
 
-  /// An uncovered combination, of the axes with most uncovered combinations; empty if every combination is
-  /// covered.
+  /// An uncovered combination of the axes with the most uncovered combinations; empty if all are covered.
   CoverTuple first_missing() const {
     const auto worst = std::ranges::max_element(groups_, {}, &Group::missing);
     if (worst == groups_.end() || worst->missing == 0) return {};
@@ -122,7 +121,7 @@ class Coverage {
     groups_.push_back({axes, std::vector<State>(count, missing_here), count});
   }
 
-  // Advances `axes` to the next ascending selection of the same size, like an odometer. False after the last.
+  // Replaces `axes` by the next combination of as many axes, in lexicographic order. False after the last.
   bool next_group(std::vector<std::size_t>& axes) const {
     const std::size_t count = axes.size();
     for (std::size_t i = count; i-- > 0;) {
@@ -134,7 +133,8 @@ class Coverage {
     return false;
   }
 
-  // Index of the row's combination in the group's list; `open` if an axis of the group has no value.
+  // The index of the row's values in the group's list of combinations; `open` if an axis of the group has no
+  // value.
   std::size_t index_in(const Group& group, const CoverRow& row) const {
     std::size_t place = 0;
     for (const std::size_t axis : group.axes) {
@@ -171,7 +171,7 @@ class Coverage {
   std::size_t tuples_ = 0, missing_ = 0;
 };
 
-// Pairs of values that were in a refused row and in no allowed row.
+// Suspect pairs: two values that were in a refused row together, but in no allowed row.
 class Suspects {
  public:
   explicit Suspects(std::span<const std::size_t> sizes) : first_(sizes.size()) {
@@ -193,7 +193,7 @@ class Suspects {
     for_each_pair(row, [](State& state) { state = cleared; });
   }
 
-  // How many suspect pairs `value` would form with the values that the row has.
+  // The number of suspect pairs that `value` forms with the values of the row.
   std::size_t count(const CoverRow& row, std::size_t axis, std::size_t value) const {
     if (!any_refused_) return 0;
     std::size_t count = 0;
@@ -268,8 +268,8 @@ class Builder {
     return best;
   }
 
-  // A row that contains `tuple`. Every other axis, in random order, takes the value that covers most. With
-  // `loosely`, for when the greedy rows were refused, about every second axis takes a random value.
+  // A row that contains `tuple`. The remaining axes, in random order, take the value that covers most
+  // combinations. With `loosely`, about half of these axes take a random value.
   CoverRow filled_row(const CoverTuple& tuple, bool loosely) {
     CoverRow row(sizes_.size(), open);
     for (const auto& [axis, value] : tuple) row[axis] = value;
@@ -282,7 +282,8 @@ class Builder {
     return row;
   }
 
-  // The best value of the axis. The search starts at a random value, and ties go to the first value found.
+  // The value of the axis with the fewest suspect pairs; of these values, the value that covers most
+  // combinations. The search starts at a random value, and takes the first of equal values.
   std::size_t best_value(CoverRow& row, std::size_t axis) {
     const std::size_t start = random_.below(sizes_[axis]);
     std::size_t best = open, best_gain = 0, fewest_suspects = 0;

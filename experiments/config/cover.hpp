@@ -1,4 +1,5 @@
-// Covering arrays: small sets of rows in which every combination of values of any few axes occurs.
+// Covering arrays: small sets of rows (one value per axis). For any two axes, or any three, and so on, every
+// combination of their values is in a row.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ struct Cover {
 /// One value index per axis.
 using CoverRow = std::vector<std::size_t>;
 
-/// Values of some of the axes, as pairs (axis, index of its value), axes ascending.
+/// Values of some of the axes: pairs (axis, index of a value of this axis), in ascending order of the axes.
 using CoverTuple = std::vector<std::pair<std::size_t, std::size_t>>;
 
 struct CoverRows {
@@ -31,13 +32,13 @@ struct CoverRows {
 };
 
 /// Rows for which `allowed` is true. Every combination of values of any `strength` axes (of all axes, if
-/// there are fewer) is in at least one row, unless no allowed row was found for it. The search is greedy
-/// (Cohen, Dalal, Fredman, Patton: The AETG System, 1997): each row begins with an uncovered combination;
-/// then one axis after another takes the value that covers most. The best of a few such rows is kept. Pairs
-/// of values that `allowed` refuses are remembered and avoided. The same arguments give the same rows on
-/// every machine. `sizes` holds the number of values of each axis, each at least 1. Stops once there are more
-/// than `most_rows` rows. Throws std::invalid_argument for a strength below 1, and for more than 20 million
-/// combinations.
+/// there are fewer) is in at least one row, except combinations for which no allowed row was found. The
+/// search is greedy (Cohen, Dalal, Fredman, Patton: The AETG System, 1997): each row begins with an uncovered
+/// combination; then one axis after another takes the value that covers most combinations. Of a few rows that
+/// are made in this way, the best row is taken. Pairs of values that `allowed` refuses are remembered and
+/// avoided. The same arguments give the same rows on every machine. `sizes` holds the number of values of
+/// each axis, each at least 1. Stops once there are more than `most_rows` rows. Throws std::invalid_argument
+/// for a strength below 1, and for more than 20 million combinations.
 CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
                         const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows);
 

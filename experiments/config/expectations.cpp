@@ -82,7 +82,7 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
     std::vector<std::string> metrics;
     for (const auto& [name, value] : summary) metrics.push_back(name);
     result.message = fmt::format(
-        "the run has no metric '{}'{} (`bendlab measures` lists all metrics, and when a run has them; "
+        "the run has no metric '{}'{} (`bendlab measures` lists all metrics, and which runs have a metric; "
         "`bendlab show` lists the metrics of a run)",
         expectation.metric, suggestion(expectation.metric, metrics));
     return result;
@@ -123,7 +123,7 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
 }
 
 bool matches(const Expectation& expectation, const RunConfig& config) {
-  // A run has a value if setting this value changes nothing. So 16 matches 16.0, and {} matches an object of
+  // A run matches a value if setting this value does not change the run. So 16 matches 16.0, and {} matches
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
     if (entry.key() == "/defaults") return entry.value() == config.settings().defaults;

@@ -13,7 +13,7 @@
 
 namespace bendlab {
 
-/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
+/// A bound that `bendlab run` checks on every run of the experiment that matches `where`.
 struct Expectation {
   std::string metric;
   std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
@@ -22,17 +22,16 @@ struct Expectation {
   Json where = Json::object();
 };
 
-/// The settings of an entry of `expect`, without its object `where`; then the meaning of `where`.
+/// The settings of an entry of `expect`, except the object `where`, whose meaning is `where_meaning`.
 const FieldTable& expectation_table();
 inline constexpr std::string_view where_meaning =
     "Checks only runs that have these values: {\"/json/pointer\": value}; absent: every run";
 
-/// The entries of an `expect` list. The pointers and values of their `where` are checked against `settings`.
+/// Reads the entries of an `expect` list. Checks the pointers and values in `where` against `settings`.
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems);
 
-/// Whether the run has every value that `where` asks for. A setting that the run does not depend on matches
-/// only null.
+/// Whether the run has every value in `where`. If the run does not depend on a setting, only null matches.
 bool matches(const Expectation& expectation, const RunConfig& config);
 
 struct ExpectationResult {

@@ -32,8 +32,7 @@ Json take(Json& document, const std::string& key, Json if_absent) {
   return value;
 }
 
-// Problems of the settings as written. Leaves out a missing setting that is swept: the sweep checks its
-// values.
+// Problems of the settings outside the sweep. Swept settings may be missing: the sweep checks their values.
 ConfigProblems problems_of(const Json& settings, const std::vector<Axis>& axes) {
   ConfigProblems found;
   read_run(with_first_values(settings, axes), found);
@@ -52,7 +51,7 @@ ConfigProblems joined(std::initializer_list<ConfigProblems> parts) {
   return all;
 }
 
-// An expectation that matches no run checks nothing, and nobody would notice.
+// Reports expectations that match no run, because such an expectation would check nothing.
 void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
   for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
     if (std::ranges::none_of(experiment.runs,
@@ -60,7 +59,7 @@ void check_every_where_matches(const Experiment& experiment, ConfigProblems& pro
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
-// A reason for a setting that does not exist would mislead.
+// Reports reasons for settings that do not exist.
 void check_reasons(const Json& because, const Json& settings, ConfigProblems& problems) {
   if (!because.is_object()) {
     problems.push_back(
@@ -95,7 +94,7 @@ Json read_document(std::string_view text, std::string_view source_name,
     problems.push_back({"", "a config must be a JSON object {\"name\": …, …}"});
   if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
   // The default effects are written out, so that overrides and axes can name their entries. An override may
-  // choose other defaults, and with them other effects.
+  // choose other defaults, which have other effects.
   if (!document->contains("effects")) {
     Json chosen = *document;
     ConfigProblems reported_below;
@@ -129,16 +128,15 @@ Experiment parse_document(Json settings, ConfigProblems of_text, std::string_vie
     experiment.runs = cover
                           ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, of_runs)
                           : expand_sweep(settings, folder, experiment.axes, of_runs);
-  // If all runs are valid, so are all values. If not, the problem of a single value says more than the
-  // problems of its combinations.
+  // If a run is not valid, values are checked one by one, because the problem of a single value says more
+  // than the problems of its combinations.
   if (!covered && !(sound && of_runs.empty())) check_values(settings, experiment.axes, of_values);
-  // If no combination of a cover gives a valid run, the settings beside the sweep may be wrong. Without an
-  // axis, nothing else can be.
+  // If no combination of a cover gives a valid run, the settings outside the sweep may be wrong.
   if (cover && experiment.runs.empty()) of_settings = problems_of(settings, experiment.axes);
   if (!of_values.empty() || !of_settings.empty()) of_runs.clear();
   experiment.settings = std::move(settings);
   ConfigProblems problems = joined({of_text, of_settings, of_axes, of_values, of_lists, of_runs});
-  // Overrides may cut the sweep down to a part that some of the expectations do not match.
+  // Overrides may reduce the sweep so much that an expectation matches none of its runs.
   if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
   if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
 

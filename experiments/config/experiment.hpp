@@ -1,4 +1,4 @@
-// Reads a config: checks strict JSON against the tables of settings, fills in defaults, expands sweeps.
+// Reads a config: parses strict JSON, checks settings against tables, fills in defaults, expands sweeps.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@ struct Experiment {
   std::vector<Axis> axes;  ///< the sweep
   Covered cover;
   std::vector<Expectation> expectations;
-  /// Verdicts that do not make the command fail. They do not affect the runs.
+  /// Verdicts that do not make the command fail. Does not affect the runs.
   std::vector<std::string> allow;
   Json settings;  ///< as written, with overrides, without `sweep`, `cover`, `expect`, `because`
   std::vector<std::string> overrides;
@@ -31,22 +31,21 @@ struct Experiment {
   bool allows(RunStatus status) const;
 };
 
-/// Reads a config, checks it, and expands its sweep. `overrides` are "/json/pointer=value" texts (the value
-/// is JSON, else plain text); an override of a swept pointer replaces the axis. Throws ConfigError with every
-/// problem found, also if the file cannot be read.
+/// Reads a config, checks it, and expands its sweep. `overrides` are "/json/pointer=value" texts, see
+/// overrides.hpp. Throws ConfigError with every problem found, also if the file cannot be read.
 Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
-/// The same from a text. Mesh files are then relative to the working directory.
+/// Reads, checks and expands a config from its text. Mesh files are then relative to the working directory.
 Experiment parse_experiment(std::string_view text, std::string_view source_name,
                             std::span<const std::string> overrides = {});
 
-/// The same from the text that the config file `source` had. Mesh files are relative to the folder of
-/// `source`.
+/// Reads, checks and expands an earlier text of the config file `source`. Mesh files are relative to its
+/// folder.
 Experiment parse_config(std::string_view text, const std::filesystem::path& source,
                         std::span<const std::string> overrides = {});
 
-/// The experiment of one run whose resolved settings a run file holds. Here a reference may be the run
-/// itself, because the reference may differ from other runs of the sweep. Throws ConfigError.
+/// The experiment of one run, from the resolved settings in a run file. This run may be its own reference:
+/// only a sweep in which every run is its own reference is a mistake. Throws ConfigError.
 Experiment experiment_of(const Json& resolved, std::string_view source_name);
 
 }  // namespace bendlab

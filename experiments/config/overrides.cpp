@@ -35,8 +35,7 @@ bool is_axis(const Json& value, bool list_setting) {
          (!value.empty() && std::ranges::all_of(value, [](const Json& entry) { return entry.is_array(); }));
 }
 
-// Sets a value at the pointer `rest` in every object of a swept axis. False if this is impossible in one
-// object.
+// Sets a value at the pointer `rest` in every object of a swept axis. False if this is impossible.
 bool set_inside_axis(Json& values, const std::string& rest, const Json& value) {
   return values.is_array() &&
          std::ranges::all_of(values, [&](Json& entry) { return set_at(entry, rest, value); });
@@ -50,7 +49,7 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
       std::ranges::any_of(free_places, [&](const char* p) { return lies_within(pointer, p); });
   Json value = read_override_value(document, pointer, text);
   if (!is_free && document.contains("sweep") && document["sweep"].is_object()) {
-    // First look for an axis of this very setting: another axis may sweep the object that contains the
+    // An axis of the setting itself comes first, because another axis may sweep the object that contains the
     // setting.
     if (const auto axis = document["sweep"].find(pointer); axis != document["sweep"].end()) {
       *axis = is_axis(value, is_list_setting(document, pointer)) ? value : Json::array({value});
@@ -75,8 +74,8 @@ bool lies_in_an_axis(const Json& document, std::string_view pointer) {
                              [&](const auto& axis) { return lies_within(pointer, axis.key()); });
 }
 
-// Why an override is unread, or "". A config may state values for kinds of stiffness that it does not choose.
-// But an override of such a value must be a mistake, unless it is null, which states no value.
+// Why nothing reads the value of an override; "" if the value is read or null. A config may state values for
+// kinds of stiffness that are not chosen. But an override with such a value is most likely a mistake.
 std::string unread_text(const Json& document, const std::string& pointer) {
   const Field* const field = find_setting(document, pointer);
   if (field == nullptr || !field->depends_on.ends_with("/stiffness") ||
@@ -88,8 +87,8 @@ std::string unread_text(const Json& document, const std::string& pointer) {
   const std::vector<std::string_view> readers = choices_that_read(*field);
   const auto& name = kind->get_ref<const std::string&>();
   if (std::ranges::find(readers, name) != readers.end()) return "";
-  return fmt::format("has no effect, because {} is {}; set that to {}, too", field->depends_on, name,
-                     fmt::join(readers, " or "));
+  return fmt::format("has no effect, because {} is {}; the setting is read only with {}", field->depends_on,
+                     name, fmt::join(readers, " or "));
 }
 
 }  // namespace

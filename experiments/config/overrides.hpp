@@ -8,15 +8,15 @@
 
 namespace bendlab {
 
-/// Applies "/json/pointer=value" texts in order. The value is JSON, else plain text (a number for a text
-/// setting stays text). Missing objects are created. For a swept pointer, the value replaces the axis, or a
-/// list of values does (a list of lists if the setting is itself a list). For a setting inside a swept
+/// Applies "/json/pointer=value" texts in order. A value that is no JSON is a plain text, and so is a number
+/// for a text setting. Missing objects are created. For a swept pointer, the value or list of values replaces
+/// the swept values. (A setting that is itself a list takes a list of lists.) For a setting inside a swept
 /// object, every value of the axis is changed. The pointer may also be /name, /description, or anything in
 /// /sweep, /cover and /expect.
 void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems);
 
-/// The override that adds an axis: "/bending/k=0.1,0.2" gives "/sweep/~1bending~1k=[0.1,0.2]". The values are
-/// JSON, else plain texts. Throws std::invalid_argument if `axis` is not of this form.
+/// The override that adds an axis: "/bending/k=0.1,0.2" gives "/sweep/~1bending~1k=[0.1,0.2]". Values that
+/// are no JSON are plain texts. Throws std::invalid_argument if `axis` is not of this form.
 std::string sweep_override(const std::string& axis);
 
 }  // namespace bendlab

@@ -15,14 +15,14 @@
 namespace bendlab {
 namespace {
 
-// The reference that `changes` make of a run: a single run without errors of its own.
+// Makes the reference of a run with `changes`: a single run, whose own errors are not measured.
 RunConfig derive_reference(const RunConfig& config, std::span<const std::string> changes) {
   const std::string what = "the reference";
   for (const std::string& change : changes)
     for (const char* section : {"/sweep", "/expect", "/accuracy"})
       if (lies_within(change.substr(0, change.find('=')), section))
-        throw ConfigError(what, {{section, fmt::format("cannot be changed: {} is a single run without a "
-                                                       "sweep and without errors of its own; remove \"{}\"",
+        throw ConfigError(what, {{section, fmt::format("cannot be changed: {} is a single run without sweep, "
+                                                       "expectations and /accuracy; remove \"{}\"",
                                                        what, change)}});
   const Accuracy& accuracy = config.settings().accuracy;
   RunSettings run = config.settings();
@@ -39,16 +39,16 @@ RunConfig derive_reference(const RunConfig& config, std::span<const std::string>
   const MethodKind& method = reference.scene().solver.method.kind();
   if (accuracy.over_time && !method.has_motion)
     throw ConfigError(
-        what,
-        {{"/solver/method", fmt::format("{} has no motion that could be compared over time", method.name)}});
-  // The name of the reference's folder depends on its own settings alone, so that several runs can share it.
+        what, {{"/solver/method",
+                fmt::format("{} computes no motion, so nothing can be compared over time", method.name)}});
+  // The name of the folder depends only on the reference's settings, so that runs can share a reference.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
     if (const Json* value = value_at(reference.resolved(), pointer))
       reference.point.emplace_back(pointer, *value);
   return reference;
 }
 
-// The settings that decide the run itself, without /accuracy.
+// The settings that decide the result of the run, without /accuracy.
 std::string identity_of(const RunConfig& config) {
   RunSettings settings = config.settings();
   settings.accuracy = {};

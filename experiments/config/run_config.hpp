@@ -31,15 +31,16 @@ class RunConfig {
   const std::filesystem::path& folder() const { return scene().folder; }
   std::filesystem::path mesh_file() const;  ///< from the working directory; empty: the mesh is generated
 
-  /// A run that is derived from this run's settings. make() is called once per `name`, for this object and
-  /// all its copies; the run that it returned or the ConfigError that it threw is kept. Thread-safe.
+  /// A run that make() derives from this run's settings. make() is called only once per `name`. Its result, a
+  /// run or a ConfigError, is stored for this object and all copies. Thread-safe.
   std::optional<RunConfig> derived(const std::string& name,
                                    const std::function<std::optional<RunConfig>()>& make) const;
 
   /// The swept pointers and their values in this run. An axis that the run does not depend on is left out (a
   /// setting of another bending model, for example).
   std::vector<std::pair<std::string, Json>> point;
-  /// The id of the run at whose end this run starts (a reference with /accuracy/start_from_end); else empty.
+  /// For a reference with /accuracy/start_from_end, the id of the run at whose end the reference starts.
+  /// Empty for other runs.
   std::string starts_at_end_of;
 
  private:
@@ -47,12 +48,12 @@ class RunConfig {
   std::shared_ptr<Data> data_;
 };
 
-/// The run of canonical settings, such as the settings in a run file. Throws std::invalid_argument for an
-/// unknown value, which a run file of another version may have.
+/// The run with these canonical settings, for example the settings in a run file. Throws
+/// std::invalid_argument for an unknown value, which a run file of another version may have.
 RunConfig stored_run(const Json& resolved, const std::filesystem::path& folder = {});
 
-/// A file that a run reads: pointer of the setting that names the file, the name in the config, and the path
-/// from the working directory.
+/// A file that a run reads: the pointer of the setting that names the file, the name in the config, and the
+/// path from the working directory.
 struct NamedFile {
   std::string pointer, name;
   std::filesystem::path path;

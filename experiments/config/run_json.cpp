@@ -22,11 +22,12 @@ void check_name(const std::string& name, ConfigProblems& problems) {
                       given_text(name)});
   constexpr std::size_t longest = 100;  // a file system allows 255 bytes, and names of files add to it
   if (name.size() > longest)
-    problems.push_back({"/name", fmt::format("has {} characters, and a folder's name may have {}; got {}",
-                                             name.size(), longest, given_text(name))});
+    problems.push_back(
+        {"/name", fmt::format("has {} characters, but a folder's name may have at most {}; got {}",
+                              name.size(), longest, given_text(name))});
 }
 
-// Checks /accuracy, and resets it if there is no reference: how to compare then does not affect the result.
+// Checks /accuracy, and resets it if there is no reference, because it then does not affect the result.
 void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   for (auto* list :
        {&accuracy.solver, &accuracy.solver_coarser, &accuracy.physical, &accuracy.physical_coarser})
@@ -34,13 +35,16 @@ void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   const auto needs_base = [&](const char* name, const auto& coarser, const auto& base) {
     if (coarser && !base)
       problems.push_back({fmt::format("/accuracy/{}_coarser", name),
-                          fmt::format("needs a reference in /accuracy/{}, which it makes coarser", name)});
+                          fmt::format("needs a reference in /accuracy/{}, to which the changes for the "
+                                      "coarser reference are applied",
+                                      name)});
   };
   needs_base("solver", accuracy.solver_coarser, accuracy.solver);
   needs_base("physical", accuracy.physical_coarser, accuracy.physical);
   if (accuracy.start_from_end && accuracy.over_time)
-    problems.push_back({"/accuracy/start_from_end",
-                        "cannot be combined with over_time: motions are compared from the same start"});
+    problems.push_back(
+        {"/accuracy/start_from_end",
+         "cannot be combined with over_time, because motions can be compared only from the same start"});
   if (accuracy.compares()) return;
   for (const auto& [how, chosen] :
        {std::pair{"over_time", accuracy.over_time}, {"start_from_end", accuracy.start_from_end}})
@@ -51,8 +55,7 @@ void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   accuracy = Accuracy{};
 }
 
-// The JSON object of a part; for the top level, only the run's own settings. Empty if the config has no such
-// object.
+// The JSON object of a part of the settings, or {}. For the top level, only the run's own settings.
 Json object_of(const RunPart& part, const Json& top, ConfigProblems& problems) {
   Json object = Json::object();
   if (!part.pointer.empty()) {

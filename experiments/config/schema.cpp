@@ -50,7 +50,7 @@ std::string unit_text(const SettingRow& row) {
   return row.field.unit.empty() || row.field.unit == "1" ? "" : fmt::format(" [{}]", row.field.unit);
 }
 
-// Two lines per setting: name, unit, default and what is allowed; then the meaning.
+// Two lines per setting: first name, unit, default and allowed values, then the meaning.
 std::string rows_text(const std::vector<SettingRow>& table) {
   std::string text;
   for (const SettingRow& row : table) {
@@ -218,7 +218,7 @@ Json model_traits_json() {
 
 namespace {
 
-// The shared settings of /solver that the method reads, each with the method's own default (0: it has none).
+// The shared settings of /solver that the method reads, each with the method's own default (0: no default).
 std::vector<std::pair<std::string_view, int>> shared_settings(const MethodKind& method) {
   std::vector<std::pair<std::string_view, int>> shared = {{"dt", 0}};
   if (method.default_substeps > 0) shared.emplace_back("substeps", method.default_substeps);
@@ -232,7 +232,7 @@ bool takes(const MethodKind& method, const EffectKind& effect) {
   return method.takes_effect(effect.needs_projection, effect.acts_in_iterations);
 }
 
-// Which effects the method refuses, and for which it has nothing to do.
+// The effects that the method refuses, and the effects that are of no use to the method.
 std::string taken_effects(const MethodKind& method) {
   std::vector<std::string_view> refused, without_work;
   for (const EffectKind* effect : effects())
@@ -243,7 +243,7 @@ std::string taken_effects(const MethodKind& method) {
       without_work.empty() ? "" : fmt::format("; has nothing to do for {}", fmt::join(without_work, ", ")));
 }
 
-// What a method reads besides its own settings: "dt, substeps (default 1), …", and which effects it takes.
+// The shared settings that a method reads, "dt, substeps (default 1), …", and the effects that it takes.
 std::string more_text(const MethodKind& method) {
   std::vector<std::string> shared;
   for (const auto& [name, usual] : shared_settings(method))
@@ -265,7 +265,7 @@ void add_more(const MethodKind& method, Json& entry) {
 }
 void add_more(const auto&, Json&) {}
 
-// For each kind its name, then labelled lines; empty lines are left out.
+// A text for each kind: the name, then lines with labels. A line without text is left out.
 template <class Kind>
 std::string kinds_text(std::span<const Kind* const> kinds) {
   std::string text;

@@ -10,8 +10,8 @@ namespace bendlab {
 /// All settings of a config, for a terminal.
 std::string schema_text();
 
-/// The same as JSON Schema (draft 2020-12), for editors and other programs. Units are in "x-unit"; "x-models"
-/// and "x-methods" hold what figures need to know of models and methods.
+/// All settings of a config as JSON Schema (draft 2020-12), for editors and other programs. Units are in
+/// "x-unit". "x-models" and "x-methods" have the properties of models and methods that figures need.
 Json schema_json();
 
 /// The registered bending models: name, which vertices the model joins, source, limits, settings with
@@ -19,8 +19,8 @@ Json schema_json();
 std::string models_text();
 Json models_json();
 
-/// {name: {"label", "made_of", "prestressed"}} of the bending models, in the order of the registry: what
-/// figures need to know of the models. Stored in run files, in sweep files and in the schema ("x-models").
+/// {name: {"label", "made_of", "prestressed"}} of the bending models, in the order of the registry, for
+/// figures. Stored in run files, in sweep files and in the schema ("x-models").
 Json model_traits_json();
 
 /// The registered solver methods: name, what a step does, source, limits, settings with defaults, and the
@@ -29,7 +29,7 @@ std::string methods_text();
 Json methods_json();
 
 /// {name: {setting: default}} of the solver methods, in the order of the registry: the method's own settings
-/// that have choices. Stored beside model_traits_json(), in the schema as "x-methods".
+/// that have choices. Stored in the same files as model_traits_json(); "x-methods" in the schema.
 Json method_traits_json();
 
 /// The registered effects: name, what it does, source, settings with defaults.

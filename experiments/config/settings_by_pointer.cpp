@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-// The settings of the effect in an entry of `effects`; empty if its type is unknown.
+// The settings of the effect in an entry of `effects`; empty if the effect's type is unknown.
 std::span<const Field> effect_table(const Json& entry) {
   if (!entry.is_object() || !entry.contains("type") || !entry["type"].is_string()) return {};
   const EffectKind* effect = find_effect(entry["type"].get_ref<const std::string&>());
@@ -23,7 +23,7 @@ std::string_view last_part(std::string_view pointer) {
   return pointer.substr(pointer.rfind('/') + 1);
 }
 
-// "; did you mean '/solver/dt'?" if a pointer in `known` ends in the same key, else "".
+// "; did you mean '/solver/dt'?", for the first pointer in `known` that ends in `key`; "" if no pointer does.
 std::string same_key_suggestion(std::string_view key, const std::vector<std::string>& known) {
   const auto found = std::ranges::find(known, key, last_part);
   return found == known.end() ? "" : fmt::format("; did you mean '{}'?", *found);
@@ -89,8 +89,8 @@ std::string unknown_pointer_text(std::string_view pointer, const std::vector<std
       });
   if (in_an_entry)
     return fmt::format(
-        "there is no setting '{}': the config's list of effects has no such entry; write the "
-        "list /effects in the config to set or sweep a value of an entry",
+        "there is no setting '{}': the config's list /effects has no such entry; add the entry to the list "
+        "before you set or sweep its values",
         pointer);
   std::string near = suggestion(pointer, known);
   if (near.empty()) near = same_key_suggestion(last_part(pointer), known);

@@ -11,14 +11,15 @@
 
 namespace bendlab {
 
-/// Every pointer that a sweep may vary: settings, whole sections, `/effects`, its entries and their settings.
+/// Every pointer that a sweep may vary: settings, sections, /effects, the entries of this list, and their
+/// settings.
 std::vector<std::string> known_pointers(const Json& settings);
 
 /// Every value of an object and of the objects inside it, by pointer. Lists are not split.
 std::map<std::string, Json> flattened(const Json& object, const std::string& pointer = "");
 
-/// The row of the setting at `pointer`, or nullptr if it is no setting. `settings` gives the types of the
-/// effects.
+/// The table row of the setting at `pointer`, or nullptr if there is no such setting. `settings` gives the
+/// types of the effects.
 const Field* find_setting(const Json& settings, std::string_view pointer);
 
 /// "there is no setting '/mesh/cels'; did you mean …?"

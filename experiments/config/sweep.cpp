@@ -31,7 +31,7 @@ constexpr std::array cover_fields = {
 };
 // clang-format on
 
-// 16 and 16.0 are the same value of a setting.
+// The same value in canonical form: 16 and 16.0 are equal values of a setting.
 Json normalised(const Json& settings, const std::string& pointer, const Json& value) {
   const Field* row = find_setting(settings, pointer);
   if (row == nullptr) return value;
@@ -53,14 +53,14 @@ std::string axis_pointer(const std::string& pointer) {
   return child_pointer("/sweep", pointer);
 }
 
-// Whether the run depends on the setting at `pointer`: its resolved settings still have the setting, or the
-// object that contains it.
+// Whether the run depends on the setting at `pointer`: the resolved settings have the setting, or the object
+// that contains the setting.
 bool depends_on(const Json& resolved, const std::string& pointer) {
   return value_at(resolved, pointer) != nullptr ||
          value_at(resolved, pointer.substr(0, pointer.rfind('/'))) != nullptr;
 }
 
-// Advances `indices`, one value index per axis, like an odometer. False after the last combination.
+// Replaces `indices` (of a value on each axis) by those of the next combination. False after the last one.
 bool advance(std::vector<std::size_t>& indices, const std::vector<Axis>& axes) {
   for (std::size_t a = axes.size(); a-- > 0;) {
     if (++indices[a] < axes[a].second.size()) return true;
@@ -82,7 +82,7 @@ std::string point_text(const std::vector<Axis>& axes, const std::vector<std::siz
   return tuple_text(axes, whole);
 }
 
-// The run at one combination of values. Appends the problems of values that cannot be combined.
+// The run with one combination of swept values. Appends the problems of values that cannot be combined.
 RunConfig make_run(Json settings, const std::filesystem::path& folder, const std::vector<Axis>& axes,
                    const std::vector<std::size_t>& indices, ConfigProblems& problems) {
   for (std::size_t a = 0; a < axes.size(); ++a)
@@ -104,7 +104,7 @@ RunConfig make_run(Json settings, const std::filesystem::path& folder, const std
   return run;
 }
 
-// Keeps only the first of runs with equal settings.
+// If several runs have equal settings, keeps only the first of these runs.
 std::vector<RunConfig> without_repeats(std::vector<RunConfig> runs) {
   const auto hash = [](const RunConfig& run) { return std::hash<Json>()(run.resolved()); };
   const auto equal = [](const RunConfig& a, const RunConfig& b) { return a.resolved() == b.resolved(); };
@@ -136,8 +136,8 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
                           "setting that has choices"});
     else if (contained != axes.end())
       problems.push_back(
-          {axis_pointer(pointer), fmt::format("would overwrite '{}', which is listed before it: list this "
-                                              "object before the settings inside it",
+          {axis_pointer(pointer), fmt::format("would overwrite the values of '{}': list the object first, "
+                                              "and then the settings inside the object",
                                               contained->first)});
     else if (values.size() > most_points) {
       too_long = true;
@@ -185,8 +185,9 @@ std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
   Json given = cover;
   if (cover.is_number()) given = Json({{"strength", cover}});
   if (!given.is_object()) {
-    problems.push_back(
-        {"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
+    problems.push_back({"/cover",
+                        "expected a strength (a number of axes), such as \"cover\": 2, or an object "
+                        "{\"strength\": 2, \"seed\": 1}"});
     return std::nullopt;
   }
   const std::size_t before = problems.size();
@@ -257,7 +258,7 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
       const auto& [axis, value] = tuple.front();
       problems.push_back(
           {child_pointer(axis_pointer(axes[axis].first), std::to_string(value)),
-           fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
+           fmt::format("gives an error in every combination that was tried; the last error is in {}: {}",
                        why[tuple].pointer, why[tuple].message)});
     } else {
       covered.refused.push_back(tuple_text(axes, tuple));

@@ -1,4 +1,4 @@
-// Sweeps: from lists of values to one config per combination.
+// Expands a sweep: from lists of values to one run per combination of values.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ namespace bendlab {
 /// A swept pointer and its values, normalised.
 using Axis = std::pair<std::string, std::vector<Json>>;
 
-/// How much of a sweep its cover runs.
+/// How many combinations of values the runs of a cover contain.
 struct Covered {
   int strength = 0;  ///< every combination of values of this many axes is in a run; 0: no cover, all run
   std::size_t tuples = 0;            ///< how many such combinations there are
@@ -23,33 +23,33 @@ struct Covered {
   std::vector<std::string> refused;  ///< values that no run can have together, as "/a = 1, /b = 2"
 };
 
-/// The axes of a `sweep` object, in its order. Each pointer must name a setting, a section or (part of) the
-/// effects that `settings` lists; lists must not be empty. The number of combinations is checked, unless the
-/// sweep is `covered`: then expand_cover() checks it.
+/// The axes of a `sweep` object, in the same order. Each pointer must name a setting, a section or (part of)
+/// the effects that `settings` lists; lists must not be empty. Checks the number of combinations. For a sweep
+/// with a cover (`covered`), expand_cover() checks this number.
 std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covered, ConfigProblems& problems);
 
-/// Checks each value of the axes by itself, together with the other settings.
+/// Checks the values of the axes one by one, together with the settings outside the sweep.
 void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems);
 
 /// The settings of `cover`.
 const FieldTable& cover_table();
 
-/// The value of a config's `cover`, a number or an object; nothing if it is absent or wrong.
+/// Reads a config's `cover`, a number or an object. Nothing if the value is wrong.
 std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems);
 
-/// `settings` where each missing swept setting has the first value of its axis: a complete config that can be
+/// `settings`, to which the first value of each missing swept setting is added, so that the config can be
 /// checked.
 Json with_first_values(const Json& settings, const std::vector<Axis>& axes);
 
-/// One run per combination of the axes' values, the last axis fastest. Of runs with equal resolved settings
-/// only the first is kept. File names are relative to `folder`. Appends problems of single combinations; if
-/// there are any, the runs are meaningless.
+/// One run per combination of the axes' values; the last axis varies fastest. If several runs have equal
+/// resolved settings, only the first of these runs is kept. File names are relative to `folder`. Appends
+/// problems of single combinations; if there are problems, the runs are meaningless.
 std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem::path& folder,
                                     const std::vector<Axis>& axes, ConfigProblems& problems);
 
-/// The runs of a covering array instead of all combinations: for any `cover.strength` axes, every combination
-/// of their values is in a run, unless no run can have it; `covered` lists such combinations. Of runs with
-/// equal resolved settings only the first is kept. A value that no run can have is a problem.
+/// The runs of a covering array (cover.hpp) instead of all combinations. Combinations of values that no run
+/// can have are listed in `covered`. A single value that no run can have is a problem. If several runs have
+/// equal resolved settings, only the first of these runs is kept.
 std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem::path& folder,
                                     const std::vector<Axis>& axes, const Cover& cover, Covered& covered,
                                     ConfigProblems& problems);

@@ -1,5 +1,5 @@
-// CSV (RFC 4180, but lines end in a line feed alone): the metrics of a run for a spreadsheet. A number has
-// the fewest digits that read back to the same number. NaN becomes an empty cell.
+// CSV (RFC 4180, but lines end in a line feed alone): the metrics of a run for a spreadsheet. A number has as
+// few digits as possible, but enough to read the same number again. NaN becomes an empty cell.
 //
 //   summary.csv    name,value,unit,meaning    the metrics of the summary
 //   frames.csv     frame,time,…               a row per frame, a column per metric

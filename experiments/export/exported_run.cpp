@@ -66,7 +66,7 @@ void choose_frames(ExportedRun& run, std::string_view text) {
     run.frames.push_back({k, times[static_cast<std::size_t>(k)]});
 }
 
-// Reads the JSON itself, because this program may not know the config: another version may have written it.
+// Reads the JSON itself, because the config of another version may be unreadable for this version.
 double frames_per_second_of(const Json& config, const ExportedRun& run) {
   const Json* const setting = value_at(config, "/output/frames_per_second");
   if (setting && setting->is_number() && setting->get<double>() > 0) return setting->get<double>();
@@ -75,15 +75,16 @@ double frames_per_second_of(const Json& config, const ExportedRun& run) {
                                 : 1;
 }
 
-// Throws if a triangle names a vertex that does not exist, as in a damaged file without checksum.
+// Throws if a triangle names a vertex that does not exist. A damaged file without checksum may have such a
+// triangle.
 void require_sound(const Surface& cloth, const RunRecord& record) {
   const auto& t = cloth.triangles;
   if (t.size() > 0 && (t.minCoeff() < 0 || t.maxCoeff() >= cloth.positions.rows()))
     throw file_error(record.file, "can't be exported", "a triangle names a vertex that does not exist", 0);
 }
 
-// Stores the texture coordinates of the mesh file, equal coordinates only once. `corners`: a row for each
-// corner of each triangle.
+// Stores the texture coordinates of the mesh file without repetitions. `corners`: a row for each corner of
+// each triangle.
 void take_texture(Surface& cloth, const TextureCoordinates& corners) {
   std::map<std::array<double, 2>, int> rows;
   cloth.texture_corners.resize(cloth.triangles.rows(), 3);
@@ -96,7 +97,7 @@ void take_texture(Surface& cloth, const TextureCoordinates& corners) {
   for (const auto& [uv, row] : rows) cloth.texture.row(row) << uv[0], uv[1];
 }
 
-// Texture coordinates of the run's mesh file; empty if it has none.
+// Texture coordinates of the run's mesh file; empty if the file has none.
 TextureCoordinates texture_in_file(const RunConfig& config, const std::vector<InputFile>& inputs,
                                    const Triangles& triangles) {
   const auto file = std::ranges::find(inputs, "/mesh/file", &InputFile::pointer);
@@ -107,8 +108,8 @@ TextureCoordinates texture_in_file(const RunConfig& config, const std::vector<In
   return std::move(mesh.texture_coordinates);
 }
 
-// Texture coordinates for a sheet that is flat at rest and square to the axes: its rest coordinates, scaled
-// so that the longer side goes from 0 to 1.
+// Texture coordinates for a flat sheet at right angles to an axis: the rest coordinates, scaled so that the
+// longer side goes from 0 to 1.
 void take_flat_coordinates(Surface& cloth) {
   const Eigen::RowVector3d low = cloth.positions.colwise().minCoeff(),
                            extent = cloth.positions.colwise().maxCoeff() - low;
@@ -124,7 +125,7 @@ void take_flat_coordinates(Surface& cloth) {
 }
 
 // The bytes of the file that an effect names, from the run file; null if the effect names no file. Throws
-// std::invalid_argument if the run file lacks it.
+// std::invalid_argument if the file is not in the run file.
 const std::string* file_of(const Effect& effect, std::size_t index, const std::vector<InputFile>& inputs) {
   for (const Field& field : effect.kind().settings.fields) {
     if (!field.names_file) continue;
@@ -137,7 +138,7 @@ const std::string* file_of(const Effect& effect, std::size_t index, const std::v
   return nullptr;
 }
 
-// Takes the parts that only the settings give: texture, obstacles, the direction of gravity.
+// Reads from the settings: texture, obstacles, the direction of gravity.
 void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>& gravity_up) try {
   const RunConfig config = stored_run(json);
   const std::vector<InputFile> inputs = read_inputs(run.record.file);
@@ -157,7 +158,7 @@ void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>&
       "obstacles are left out, because this version can't read the run's settings: {}", error.what()));
 }
 
-// (x, y, z) with z up is (x, z, -y) with y up.
+// A point (x, y, z) with z up becomes (x, z, -y) with y up.
 Eigen::Matrix3d turn_between(UpAxis from, UpAxis to) {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   if (from == to) return turn;

@@ -43,7 +43,7 @@ struct ExportedRun {
   std::int64_t step = 1;              ///< from a chosen frame to the next
   double frames_per_second = 0;
   UpAxis up = UpAxis::z;
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< turns the run's coordinates so that `up` is up
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< turns the run's coordinates to `up`
   bool double_positions = false;                       ///< the run stores float64
   bool needs_double = false;         ///< single precision would round edges, far from the origin
   Vector3 origin = Vector3::Zero();  ///< m; positions as floats are relative to it; 0 unless needed
@@ -53,23 +53,23 @@ struct ExportedRun {
   /// Positions of a surface in a frame, #V by 3, m. Throws RunFileError.
   Positions positions(const Surface& surface, const ExportedFrame& frame) const;
 
-  /// The frame's time, counted in frames. It is the frame's number if the run recorded frames at even times.
+  /// The frame's time × frames_per_second: the frame's number, if the run recorded frames at equal intervals.
   double time_code(const ExportedFrame& frame) const;
 };
 
-/// The surfaces of the obstacles among a run's effects, at time 0. A round obstacle has 96 corners around,
-/// which lie on its surface. A plane is a square with sides of 4 `size`, below or beside `centre`; `centre`
-/// and `size` are those of the cloth's rest box. Mesh obstacles are read from `inputs`, the files in the run
-/// file. A spin is left out, because it turns a round shape into itself. `notes` receives the reason if an
-/// obstacle is left out.
+/// The surfaces of the obstacles among a run's effects, at time 0. A round obstacle becomes a polyhedron with
+/// 96 corners around, all on the obstacle's surface. A plane is a square with sides of 4 `size`, below or
+/// beside `centre`; `centre` and `size` are those of the cloth's rest box. Mesh obstacles are read from
+/// `inputs`, the files in the run file. Spins are left out, because a round shape that spins looks the same.
+/// `notes` receives the reason if an obstacle is left out.
 std::vector<Surface> obstacle_surfaces(const std::vector<Effect>& effects,
                                        const std::vector<InputFile>& inputs, const Vector3& centre,
                                        double size, std::vector<std::string>& notes);
 
 /// `frames`: "FIRST:LAST:STEP", in which any number may be left out, or one number. Negative numbers count
-/// from the end; empty: all frames. `up`: the run is turned so that this axis is up. By default it is not
-/// turned, and the direction of gravity says which axis is up. Throws UsageError for frames that the run does
-/// not have, RunFileError.
+/// from the end; empty: all frames. `up`: the run is turned so that this axis is up. Without `up` the run is
+/// not turned, and the direction of gravity decides which axis is up. Throws UsageError for frames that the
+/// run does not have, RunFileError.
 ExportedRun open_for_export(const RunRecord& record, std::string_view frames, std::optional<UpAxis> up);
 
 }  // namespace bendlab

@@ -39,7 +39,7 @@ void check_file(const ExportedRun& run, const Format& format, const fs::path& to
                     format.name, run.frames.size()));
 }
 
-// Notes that times are lost, if the format has no times and the run's frames are not evenly spaced.
+// Adds a note if the format has no times and the run's frames are not evenly spaced.
 void note_uneven_times(ExportedRun& run, const Format& format) {
   constexpr double visible = 1e-3;  // of a frame
   const auto uneven = [&](const ExportedFrame& frame) {
@@ -49,16 +49,16 @@ void note_uneven_times(ExportedRun& run, const Format& format) {
   if (!format.has_times && frame != run.frames.end())
     run.notes.push_back(
         fmt::format("{} has no times, but the run's frames are not all 1/{} s apart: frame {} is at {:.6g} "
-                    "s. csv and usda have the times",
+                    "s. The formats csv and usda have the times",
                     format.name, run.frames_per_second, frame->number, frame->time));
 }
 
-// Notes that positions are relative to an origin, if the format needs one for this run.
+// Adds a note if positions are written relative to an origin.
 void note_origin(ExportedRun& run, const Format& format) {
   if (format.states_origin && !run.origin.isZero(0))
     run.notes.push_back(fmt::format(
         "{} has single precision, which would round this run's edges, so positions are relative to ({}, {}, "
-        "{}) m, as a comment in the OBJ file says. obj and ply have the run's own positions",
+        "{}) m, as a comment in the OBJ file says. The formats obj and ply have the run's own positions",
         format.name, run.origin.x(), run.origin.y(), run.origin.z()));
 }
 

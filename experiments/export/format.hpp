@@ -1,5 +1,5 @@
-// The formats of other programs to which a run can be exported. A format is one file here and one row in
-// format.cpp, and nothing else knows its name.
+// The formats of other programs to which a run can be exported. To add a format, write one file here and add
+// one row in format.cpp.
 #pragma once
 
 #include <atomic>
@@ -23,7 +23,7 @@ struct Format {
   std::string_view name;     ///< for --format; also the extension of its files
   std::string_view summary;  ///< one line about the files that it writes
   InOneFile in_one_file = InOneFile::nothing;
-  bool has_times = false;      ///< else other programs take frames to be evenly spaced
+  bool has_times = false;      ///< false: other programs assume evenly spaced frames
   bool states_origin = false;  ///< positions of a run far from 0 are relative to ExportedRun::origin
   /// Throws RunFileError, ExportStopped.
   void (*write)(const ExportedRun& run, Output& output) = nullptr;
@@ -38,12 +38,12 @@ const Format* find_format(std::string_view name);
 /// A line for comments in files: program, run, experiment, units.
 std::string description_of(const ExportedRun& run);
 
-/// A surface of a run as OBJ text, with its texture coordinates, if any. Positions have the fewest digits
-/// that read back to the same numbers (floats, if the run stored floats).
+/// A surface of a run as OBJ text, with its texture coordinates, if any. Positions have as few digits as
+/// possible, but enough to read the same numbers again (floats, if the run stored floats).
 class ObjText {
  public:
-  /// `run` and `surface` must outlive this object. Positions are relative to `origin`, which the text states
-  /// unless it is 0.
+  /// `run` and `surface` must outlive this object. Positions are relative to `origin`; the text states an
+  /// `origin` that is not 0.
   ObjText(const ExportedRun& run, const Surface& surface, const Vector3& origin = Vector3::Zero());
 
   void write(OutputFile& file, const ExportedFrame& frame) const;
@@ -72,8 +72,8 @@ struct Exported {
   std::vector<std::string> notes;  ///< parts that are left out, with the reason; lost times
 };
 
-/// Writes a run's frames in a format. Every file appears whole, at the end. Throws UsageError for options
-/// that do not go together, or if a file exists already; RunFileError; ExportStopped.
+/// Writes a run's frames in a format. No file appears before all files are complete. Throws UsageError for
+/// options that do not go together or for a file that exists; RunFileError; ExportStopped.
 Exported export_run(const RunRecord& record, const Format& format, const ExportOptions& options);
 
 }  // namespace bendlab

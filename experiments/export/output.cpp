@@ -26,7 +26,7 @@ void require_going_on(const std::atomic<bool>* stop) {
   if (stop && stop->load(std::memory_order_relaxed)) throw ExportStopped{};
 }
 
-// "cloth" of "cloth.0012.obj"; empty if the name is not that of a frame with this extension.
+// "cloth", from the file name "cloth.0012.obj"; "" for a name without number or with another extension.
 std::string sequence_of(const std::string& name, const std::string& dotted_extension) {
   if (!name.ends_with(dotted_extension)) return "";
   const std::string stem = name.substr(0, name.size() - dotted_extension.size());
@@ -81,7 +81,7 @@ Output::Output(const Options& options) : options_(options) {
   if (!is_file_ && !options.force && fs::is_directory(to) && !fs::is_empty(to, error))
     throw UsageError(
         fmt::format("--to {}: is a folder that is not empty; --force replaces the files of an earlier export "
-                    "in it and keeps all other files, or name another folder",
+                    "and keeps all other files. Or name another folder",
                     options.to.string()));
   make_folder();
 }

@@ -1,5 +1,5 @@
-// Writes the files of an export, first as drafts, in a folder of their own. Files get their names at the end.
-// So every file appears whole, and no file appears if the export fails or is stopped.
+// Writes the files of an export as drafts in a temporary folder. At the end, every file is moved to its own
+// name. So every file appears whole, and no file appears if the export fails or is stopped.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ struct ExportStopped {};
 /// A file that is written from front to back. Every function throws RunFileError if the disk fails.
 class OutputFile {
  public:
-  /// Makes the file at `draft`; `name` is what errors call it.
+  /// Makes the file `draft`. Errors name the file `name`.
   OutputFile(const std::filesystem::path& draft, std::filesystem::path name, const std::atomic<bool>* stop);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -40,14 +40,14 @@ class OutputFile {
     fmt::format_to(std::back_inserter(buffer_), format, std::forward<Args>(args)...);
     flush_if_full();
   }
-  /// Writes a number as it lies in memory.
+  /// Writes the bytes of a number as in memory.
   template <class Number>
   void write_number(Number number) {
     static_assert(std::endian::native == std::endian::little, "the binary formats are little endian");
     write({reinterpret_cast<const char*>(&number), sizeof number});
   }
 
-  /// To be called at the end. Returns the number of bytes.
+  /// Must be called after the last write. Returns the number of bytes.
   std::uint64_t finish();
 
  private:
@@ -80,7 +80,7 @@ class Output {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// Whether `to` names a file. It is the file of the cloth then.
+  /// Whether `to` names a file (of the cloth) instead of a folder.
   bool is_file() const { return is_file_; }
 
   /// Writes the file `name` by calling `write(OutputFile&)`. Throws RunFileError, ExportStopped.
@@ -94,12 +94,13 @@ class Output {
   /// The name of a surface's file, without extension.
   std::string stem_of(const Surface& surface) const;
 
-  /// The name of the file of one frame: "cloth.0012". If `to` names a file, there is only one frame, and no
-  /// number.
+  /// The name of the file of one frame: "cloth.0012". If `to` names a file, there is only one frame, and the
+  /// name has no number.
   std::string stem_of(const Surface& surface, std::int64_t frame);
 
   /// Gives all files their names. With `force`, also removes frames of an earlier export that this export
-  /// does not have. Throws RunFileError; UsageError if another program made a file of that name meanwhile.
+  /// does not have. Throws RunFileError; UsageError if another program has made a file of the same name
+  /// meanwhile.
   void publish();
 
   const std::filesystem::path& to() const { return options_.to; }

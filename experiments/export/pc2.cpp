@@ -1,5 +1,5 @@
-// PC2: a point cache with the positions of all frames. It moves the vertices of the OBJ file of the first
-// frame, which lies beside it.
+// PC2: a point cache with the positions of all frames. The cache moves the vertices of an OBJ file in the
+// same folder, which has the first frame.
 //
 //   char[12]   "POINTCACHE2\0"
 //   int32      version, 1
@@ -47,7 +47,9 @@ void write_pc2(const ExportedRun& run, Output& output) {
 namespace format {
 extern const Format pc2{
     .name = "pc2",
-    .summary = "a point cache of all frames, cloth.pc2, and the OBJ file of the first frame, which it moves",
+    .summary =
+        "a point cache of all frames, cloth.pc2, and an OBJ file with the first frame, whose vertices the "
+        "cache moves",
     .in_one_file = InOneFile::everything,
     .states_origin = true,
     .write = write_pc2,

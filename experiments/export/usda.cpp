@@ -1,8 +1,9 @@
-// USD as text: one file with a mesh for the cloth and for each obstacle, and their samples over time. Time
-// codes are frames of the run. Points are floats. If the run is far from the origin, its points are relative
-// to a point near it, and the prim "run" is translated to that point.
+// USD as text: one file that has a mesh with positions over time for the cloth and for each obstacle. Time
+// codes are frames of the run. Points are floats. If the run is far from the origin, points are relative to a
+// nearby point, to which the prim "run" is translated.
 //
-// The format: the reference of Pixar's Sdf text files, and the schemas UsdGeomMesh, UsdGeomXformable.
+// Sources of the format: the reference of Pixar's Sdf text files, and the schemas UsdGeomMesh,
+// UsdGeomXformable.
 #include <utility>
 
 #include "experiments/export/format.hpp"
@@ -54,7 +55,7 @@ Extent extent_of(const Positions& positions) {
   return extent;
 }
 
-// Positions of a surface that deforms, frame by frame.
+// Writes the positions of a surface that deforms, frame by frame.
 void write_samples(const ExportedRun& run, const Surface& surface, OutputFile& file) {
   std::vector<Extent> extents;
   file.write("        point3f[] points.timeSamples = {\n");
@@ -74,7 +75,7 @@ void write_samples(const ExportedRun& run, const Surface& surface, OutputFile& f
   file.write("        }\n");
 }
 
-// Positions of an obstacle at time 0, and how far it has moved in each frame.
+// Writes the positions of an obstacle at time 0, and the translation of the obstacle in each frame.
 void write_rigid(const ExportedRun& run, const Surface& surface, OutputFile& file) {
   const Positions positions = surface.positions.rowwise() - run.origin.transpose();
   file.write("        point3f[] points = ");

@@ -1,5 +1,5 @@
-// XDMF: a text file with which ParaView before 5.12 reads the run file itself. It is useless without the run
-// file.
+// XDMF: a text file with which ParaView before 5.12 reads the run file. The text file has no positions, so it
+// needs the run file.
 #include "experiments/export/format.hpp"
 
 namespace bendlab {
@@ -20,8 +20,7 @@ void write_xdmf(const ExportedRun& run, Output& output) {
 namespace format {
 extern const Format xdmf{
     .name = "xdmf",
-    .summary =
-        "a text file with which ParaView before 5.12 reads the run file itself, as it is, never turned",
+    .summary = "a text file with which ParaView before 5.12 reads the run file; --up has no effect",
     .in_one_file = InOneFile::everything,
     .has_times = true,
     .write = write_xdmf,

@@ -1,4 +1,5 @@
-// Errors of a run against the references that /accuracy asks for: other runs, made once and kept.
+// Errors of a run against the references in /accuracy. References are other runs, which are computed once and
+// stored.
 #include <fmt/format.h>
 
 #include <new>
@@ -14,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-// The middle of the places that the scene pins, or of the rest box.
+// The middle of the vertices that /pins names; without pins, the middle of the rest box.
 Vector3 middle_of_pins(const BuiltScene& scene) {
   if (scene.pins.seeds.empty()) return scene.rest.centre();
   Vector3 sum = Vector3::Zero();
@@ -22,8 +23,8 @@ Vector3 middle_of_pins(const BuiltScene& scene) {
   return sum / static_cast<double>(scene.pins.seeds.size());
 }
 
-// With over_time, the trajectory has all frames, and their energies in the scene of `config`; else the last
-// pose.
+// The last pose of a run. With over_time, all frames of the run, with their energies in the scene of
+// `config`.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
   return over_time ? read_motion(file, build_scene(config.scene())) : read_last_pose(file);
 }
@@ -85,7 +86,7 @@ class Errors final : public Measurement {
             .energy_scale = over_time_ ? energy_scale(scene_) : 0};
   }
 
-  // Nothing if there is no reference to compare with; the findings say why.
+  // Nothing if there is no reference to compare with; a message in `findings` says why.
   std::optional<Trajectory> trajectory_of_reference(const RunEnd& end, const Positions& last, Against against,
                                                     bool coarser, Findings& findings) const {
     const auto add_message = [&](std::string_view text) {
@@ -111,7 +112,7 @@ class Errors final : public Measurement {
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
             other.summary.at("unbalanced");
       }
-      if (against == Against::physical && !over_time_)  // a moving strip shows no stiffness
+      if (against == Against::physical && !over_time_)  // a strip in motion shows no stiffness
         if (const std::optional<std::string> doubt = doubtful_reference(*config, other.file)) {
           add_message("its run cannot serve as a reference: " + *doubt);
           return std::nullopt;
@@ -141,27 +142,29 @@ std::vector<Quantity> accuracy_quantities() {
     const std::string prefix = fmt::format("error_{}_", name_of(against));
     const auto add = [&](const std::string& name, const std::string& meaning) {
       all.push_back({prefix + name, "1", meaning});
-      all.push_back({prefix + name + "_worst", "1",
-                     "over time: the error of the worst frame; without _worst it is the mean"});
+      all.push_back(
+          {prefix + name + "_worst", "1",
+           "over time: the error of the worst frame; the metric without _worst is the mean over the frames"});
     };
     add("rms",
         "root mean square distance of the points from the points of the reference, weighted by area, in "
         "sizes of the mesh");
-    add("largest", "the largest such distance, in sizes");
-    add("hausdorff", "Hausdorff distance between the surfaces, in sizes");
+    add("largest", "the largest distance of a point from the point of the reference, in sizes of the mesh");
+    add("hausdorff", "Hausdorff distance between the surfaces of run and reference, in sizes of the mesh");
     add("strain",
         against == Against::solver
-            ? "root mean square difference of the Green strain from the reference's"
-            : "root mean square of the Green strain itself, because the stated cloth has no strain");
+            ? "root mean square of the difference between the Green strains of run and reference"
+            : "root mean square of the run's own Green strain, because the stated cloth has no strain");
     add("energy",
-        "over time: difference of the gains of total energy since the start, as a share of the scene's "
-        "energy scale; constraints with k have no elastic energy");
+        "over time: difference between run and reference in the gain of total energy since the start, as a "
+        "share of the scene's energy scale; constraints with k have no elastic energy");
     all.push_back({prefix + "frames", "1", "over time: number of frames compared"});
     all.push_back({prefix + "reference_gap", "1",
-                   "rms distance between the coarser reference and this reference: errors that are not much "
-                   "larger are unreliable"});
+                   "rms distance between the coarser reference and the reference: errors that are not much "
+                   "larger than this distance are unreliable"});
     all.push_back({prefix + "unbalanced", "1",
-                   "if the reference found no equilibrium: its unbalanced forces over its loads"});
+                   "only if the reference found no equilibrium: the reference's unbalanced forces divided by "
+                   "its loads"});
     all.push_back({prefix + "coarser_unbalanced", "1", "the same for the coarser reference"});
   }
   return all;
@@ -174,7 +177,9 @@ extern const Measure accuracy{
     .name = "accuracy",
     .summary =
         "errors against other runs (references): errors of the solver, and errors against the stated cloth",
-    .cost = "the references, computed once for all runs that share them; over time, memory for every pose",
+    .cost =
+        "the time of the references, each computed once for all runs that need it; over time, memory for the "
+        "pose of every frame",
     .applies = [](const RunConfig& config,
                   const BuiltScene&) { return config.settings().accuracy.compares(); },
     .when = "if /accuracy names a reference",

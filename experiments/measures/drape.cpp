@@ -25,11 +25,10 @@ class Draping final : public Measurement {
 namespace measure {
 extern const Measure drape{
     .name = "drape",
-    .summary =
-        "how a round specimen hangs over a round table; its pinned triangles are the table (Cusick 1965)",
+    .summary = "how a round specimen hangs over a round table of pinned triangles (Cusick 1965)",
     .cost = "computed once, at the end",
     .gives = []() -> std::vector<Quantity> {
-      return {{"drape_coefficient", "1", "(shadow - table) / (specimen - table), areas: 1 for a stiff board"},
+      return {{"drape_coefficient", "1", "areas (shadow - table) / (specimen - table); 1 for a stiff board"},
               {"drape_folds", "1", "number of folds around the table"}};
     },
     .begin = [](const RunConfig&, const BuiltScene& scene) -> std::unique_ptr<Measurement> {

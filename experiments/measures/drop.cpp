@@ -51,7 +51,7 @@ extern const Measure drop{
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"drop", "m",
-               "median over the last second; with the method equilibrium, the value of its last step"},
+               "median over the last second; with the method equilibrium, the value of the last step"},
               {"drop_last", "m", "of the last frame"}};
     },
     .begin = begun<Drop>};

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double soft = 0.5;  // below this share a run gets a warning
 
-// 23 becomes 30, 1240 becomes 2000: the estimate is not more precise.
+// Rounds up to one digit, because the estimate is not more precise: 23 becomes 30, 1240 becomes 2000.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)));
   return value <= 10 ? std::ceil(value) : unit * std::ceil(value / unit);
@@ -50,18 +50,18 @@ std::string share_text(double share) {
 
 namespace {
 
-// The share of a stated stiffness that a run has, and a remedy, as text.
+// The text of the warning that the cloth has only the share `share` of a stated stiffness, with a remedy.
 std::string soft_text(const std::string& what, double share, double substeps) {
   if (share < least_known_share)
     return fmt::format(
-        "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states: the "
-        "estimate, {:.2g} %, is below its reliable range, and a cloth that shakes may have more. About "
-        "{:.0f} substeps or more would give it 90 %{}",
+        "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states. The estimate "
+        "of {:.2g} % is too small to be reliable, and a cloth that shakes may have more. About {:.0f} "
+        "substeps or more would give the cloth 90 %{}",
         100 * least_known_share, what, 100 * share, substeps,
         what == "bending" ? "; 'bendlab stiffness' measures a strip" : "");
   return fmt::format(
       "the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} substeps would give "
-      "it 90 %",
+      "the cloth 90 %",
       100 * share, what, substeps);
 }
 
@@ -70,7 +70,7 @@ std::string soft_text(const std::string& what, double share, double substeps) {
 std::optional<SoftSolver> soft_solver_warning(const std::map<std::string, double>& summary) {
   std::vector<std::string> parts;
   double least = 1;
-  // A nearly rigid membrane never reaches its stiffness, but that matters only if it stretches.
+  // A nearly rigid membrane never reaches its stiffness, which matters only if the membrane stretches.
   constexpr double stretched = 0.01;
   const auto strain = summary.find("mean_strain");
   const bool taut = strain != summary.end() && !(strain->second > stretched);
@@ -88,8 +88,8 @@ std::optional<SoftSolver> soft_solver_warning(const std::map<std::string, double
 
 namespace {
 
-// Measures the share in the last second of a run, every half second and at its end. The result is the mean
-// share over these times, weighted by energy.
+// Measures the share of the stated stiffness in the last second of a run: every half second, and at the end.
+// The result is the mean share over these times, weighted by energy.
 class Meter final : public Measurement {
  public:
   Meter(const RunConfig& config, const BuiltScene& scene)
@@ -121,17 +121,20 @@ extern const Measure effective_stiffness{
     .name = "effective_stiffness",
     .summary = "the share of the stated stiffness that the solver gives the cloth",
     .cost =
-        "two or three times in the last second: less than 1 % of a run of 4 s with 1 substep × 10 iterations",
+        "two or three measurements in the last second: below 1 % of a run of 4 s with 1 substep × 10 "
+        "iterations",
     .applies = always,
     .gives = []() -> std::vector<Quantity> {
       return {{"effective_bending_stiffness", "1",
                "share of the stated bending stiffness (physical, or a compliance) that the cloth has in the "
                "last second"},
-              {"effective_membrane_stiffness", "1", "the same for the membrane"},
+              {"effective_membrane_stiffness", "1",
+               "share of the stated membrane stiffness that the cloth has in the last second"},
               {"substeps_for_90_percent_bending", "1",
-               "if that share is below 0.5: about how many substeps, with as many iterations per substep, "
-               "would give 0.9"},
-              {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
+               "if effective_bending_stiffness is below 0.5: about how many substeps, with as many "
+               "iterations per substep, would give 0.9"},
+              {"substeps_for_90_percent_membrane", "1",
+               "if effective_membrane_stiffness is below 0.5: about how many substeps would give 0.9"}};
     },
     .begin = begun<Meter>};
 }  // namespace measure

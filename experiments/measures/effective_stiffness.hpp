@@ -1,4 +1,4 @@
-// The share of the stated stiffness that the solver gives a run: the metrics of its summary, and the warning.
+// The share of the stated stiffness that the solver gives the cloth: metrics of a run, and a warning.
 #pragma once
 
 #include <map>
@@ -9,16 +9,17 @@
 
 namespace bendlab {
 
-/// Metrics of the summary that have a meaning in this run; effective_stiffness.cpp lists them.
+/// The metrics of the measure effective_stiffness that have a meaning in this run.
 std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffness& stiffness, int substeps);
 
-/// About how many substeps give 90 % if `substeps` give the share `share`, in (0, 1): 1 / share - 1 falls as
-/// a power of the substeps. The exponent was measured with strips of every model
-/// (configs/stiffness/effective.json). This function uses a small exponent of the measured range.
+/// Estimates how many substeps give 90 % of the stiffness if `substeps` give the share `share`, in (0, 1).
+/// The value 1 / share - 1 falls as a power of the substeps. Exponents were measured with strips of every
+/// model (configs/stiffness/effective.json). The estimate uses one of the smaller exponents.
 double substeps_for_90_percent(double share, int substeps);
 
-/// The smallest share for which the estimate is reliable. Below 0.01, strips had up to twice the estimated
-/// share. For a cloth that shakes, the estimate is 0, whatever a strip of that cloth measures.
+/// The smallest share for which the estimate is reliable. Strips with a smaller estimate had up to twice the
+/// estimated share. For a cloth that shakes, the estimate is 0, even if a strip of the cloth has a larger
+/// share.
 inline constexpr double least_known_share = 0.01;
 
 /// "48 %", or "< 1 %" below the smallest reliable share.

@@ -43,17 +43,16 @@ const std::vector<Column>& facts() {
       {"springs", "1", "springs that resist bending"},
       {"bending_constraints", "1", "springs and other elements that resist bending"},
       {"springs_beyond_ring_1", "1", "springs between vertices that no edge joins"},
-      {"pinned_vertices", "1", "vertices that are pinned, rings around pins included"},
+      {"pinned_vertices", "1", "number of pinned vertices, including those in the rings around pins"},
       {"projections", "1", "how many constraints the solver projected"},
       {"substeps", "1", "how many substeps the solver made"},
       {"memory_bytes", "B",
        "memory of the solver's arrays: points, constraints, multipliers, matrix and factor"},
       {"unbalanced", "1",
-       "unbalanced forces at the end, over the loads; only for methods that find an equilibrium"},
+       "unbalanced forces at the end divided by the loads; only for methods that find an equilibrium"},
       {"membrane_softness", "1",
-       "compliance of the membrane over its stated compliance, if the method softened the membrane"},
-      {"settled_at", "s",
-       "time since which the cloth has been slower than /settled_speed, so that the run ended"}};
+       "compliance of the membrane divided by the stated compliance, if the method softened the membrane"},
+      {"settled_at", "s", "time since which the cloth was slower than /settled_speed, which ended the run"}};
   return rows;
 }
 
@@ -62,8 +61,8 @@ Registry<Measure>& registry() {
   return all;
 }
 
-// Throws if a metric's name is taken: a name has one meaning in a summary, in a frame, and on a triangle.
-// `rows`: the member of Measure that lists these metrics.
+// Throws if an existing metric has the same name as a metric of `measure`. Checks the metrics in one member
+// of Measure, `rows`: columns, fields or gives.
 void check_names(const Measure& measure, std::function<std::vector<Column>()> Measure::*rows) {
   std::set<std::string, std::less<>> taken = {"time"};  // of a frame
   for (const Column& fact : facts()) taken.insert(fact.name);
@@ -73,7 +72,7 @@ void check_names(const Measure& measure, std::function<std::vector<Column>()> Me
     if (!taken.insert(row.name).second)
       throw std::invalid_argument(
           fmt::format("the measure '{}' cannot be registered: there is a metric '{}' already; choose another "
-                      "name for it (`bendlab measures` lists all names)",
+                      "name for the new metric (`bendlab measures` lists all names)",
                       measure.name, row.name));
 }
 

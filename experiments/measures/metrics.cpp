@@ -76,19 +76,19 @@ Json measures_json() {
 }
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
-  // Bending models choose these names themselves.
+  // Bending models choose the names of these metrics themselves.
   if (metric.starts_with("model_") ||
       std::ranges::find(numbers_of_scene(), metric, &Column::name) != numbers_of_scene().end())
     return std::nullopt;
   const Measure* measure = measure_of(metric);
   if (!measure)
-    return fmt::format("there is no metric '{}'{} (`bendlab measures` lists them)", metric,
+    return fmt::format("there is no metric '{}'{} (`bendlab measures` lists all metrics)", metric,
                        suggestion(metric, known_metrics()));
   if (!measure->applies && std::ranges::none_of(experiment.runs, [&](const RunConfig& run) {
         return is_asked_for(*measure, run);
       }))
-    return fmt::format("no run has '{}': it comes from the measure {}, which /output/measures has to name",
-                       metric, measure->name);
+    return fmt::format("no run has the metric '{}': add its measure, {}, to /output/measures", metric,
+                       measure->name);
   return std::nullopt;
 }
 

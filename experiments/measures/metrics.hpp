@@ -1,4 +1,4 @@
-// All measures and their metrics, for `bendlab measures`, and to check the metrics that `expect` names.
+// Lists all measures and their metrics for `bendlab measures`, and checks the metrics that /expect names.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace bendlab {
 std::string measures_text();
 Json measures_json();
 
-/// The problem with the metric of an expectation, before any run: no measure gives the metric, or no run of
-/// the experiment has the measure. Nothing if a run may have the metric.
+/// Why no run of the experiment can have the metric of an expectation: no measure gives the metric, or no run
+/// has the measure. Nothing if a run may have the metric. Known before any run.
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric);
 
 /// Throws ConfigError with the problems of all expectations.

@@ -40,7 +40,7 @@ extern const Measure motion{
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"kinetic_energy", "J",
-               "median over the last second; with the method equilibrium, the value of its last step"},
+               "median over the last second; with the method equilibrium, the value of the last step"},
               {"kinetic_energy_last", "J", "of the last frame"}};
     },
     .begin = begun<Motions>};

@@ -28,8 +28,7 @@ const std::vector<Column> counts = {
     {"collinear", "1", "triangles with three points exactly on a line"},
     {"small_angles", "1", "triangles with an angle below small_angle"}};
 
-// Calls visit(quality measure, its index, statistic, name) for every metric: a statistic of a quality
-// measure.
+// Calls visit(quality measure, its index, statistic, name) for every statistic of every quality measure.
 template <class Visit>
 void for_quality_columns(Visit visit) {
   for (std::size_t m = 0; m < quality_measures().size(); ++m)
@@ -105,7 +104,7 @@ extern const Measure quality{
           std::vector<Quantity> all = {
               {"degenerate_triangles", "1", "of the last frame: " + counts[0].meaning},
               {"degenerate_triangles_median", "1",
-               "median over the last second; with the method equilibrium, the value of its last step"},
+               "median over the last second; with the method equilibrium, the value of the last step"},
               {"degenerate_triangles_worst", "1", "largest of all frames"},
               {"rest_degenerate_triangles", "1", "of the rest shape"}};
           for_quality_columns([&](const QualityMeasure& kind, std::size_t, const Statistic& statistic,

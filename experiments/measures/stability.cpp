@@ -155,31 +155,30 @@ class Stability final : public Measurement {
 std::vector<Quantity> stability_quantities() {
   return {
       {"stability_steps", "1", "number of steps"},
-      {"stability_reach", "1",
-       "largest distance of a vertex from the mean of all vertices, in sizes of the mesh"},
-      {"stability_reach_start", "1", "the same at the start"},
-      {"stability_reach_end", "1", "the same at the end"},
+      {"stability_reach", "1", "largest distance of a vertex from the mean of all vertices, in mesh sizes"},
+      {"stability_reach_start", "1", "stability_reach of the start pose"},
+      {"stability_reach_end", "1", "stability_reach of the last pose"},
       {"stability_rest_distance", "1",
-       "root mean square distance from the rest shape at the end, after rigid alignment, in sizes"},
+       "root mean square distance from the rest shape at the end, after rigid alignment, in mesh sizes"},
       {"stability_least_rest_distance", "1",
-       "the smallest such distance in the run, checked ten times a second"},
+       "smallest value of stability_rest_distance in the run, checked ten times a second"},
       {"stability_recovered_at", "s",
-       "time since which the distance from the rest shape has been below 0.01 (to 0.1 s); absent if it is "
-       "larger at the end"},
+       "time from which on stability_rest_distance stays below 0.01, exact to 0.1 s; absent if the distance "
+       "is larger at the end"},
       {"stability_creep", "1",
-       "root mean square displacement of the vertices in the second half of the run, in sizes"},
+       "root mean square displacement of the vertices in the second half of the run, in mesh sizes"},
       {"stability_momentum_drift", "m/s",
-       "largest difference between the velocity of the centre of mass and v0 + g t; only for a cloth that "
-       "keeps momentum: without pins, and with no effects but gravity and damping"},
+       "largest difference between the velocity of the centre of mass and v0 + g t; only for a cloth without "
+       "pins, on which only gravity and damping act"},
       {"stability_rounding_speed", "m/s",
-       "for comparison: ε d / h, the speed that rounding a coordinate causes in a substep h, at the largest "
-       "distance d of a vertex from the centre of the rest box"},
+       "for comparison with stability_momentum_drift: the speed ε d / h that rounding a coordinate causes in "
+       "a substep h, where d is the largest distance of a vertex from the centre of the rest box"},
       {"stability_spin_kept", "1",
-       "angular momentum at the end divided by its value at the start; only for a spinning cloth that keeps "
-       "momentum"},
+       "angular momentum at the end divided by its value at the start; only for a spinning cloth without "
+       "pins, on which only gravity and damping act"},
       {"stability_energy_scale", "J",
-       "total energy at the start plus weight times size. Constraints with a compliance have elastic energy, "
-       "constraints with k do not"},
+       "total energy at the start plus the cloth's weight times its size. The total energy includes the "
+       "elastic energy of constraints with a compliance; constraints with k have no elastic energy"},
       {"stability_energy_gain", "1",
        "largest rise of the total energy above its value at the start, as a share of energy_scale"},
       {"stability_energy_rises", "1",

@@ -19,7 +19,7 @@ class StabilityMeter {
   /// To be called at time 0 and after every step, but not after a step that diverged.
   void look(const Simulation& simulation);
 
-  /// The metrics by name, with the prefix `stability_`; stability.cpp lists them.
+  /// The metrics by name, with the prefix `stability_`.
   std::map<std::string, double> summary();
 
   void archive(Archive& state) {

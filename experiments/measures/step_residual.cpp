@@ -41,14 +41,14 @@ extern const Measure step_residual{
     .when = "with newton, quasi_newton and vbd",
     .columns = []() -> std::vector<Column> {
       return {{"step_residual", "1",
-               "forces (with inertia) that the last substep left unbalanced: the sum of their lengths over "
-               "vertices, divided by the same sum of the effects' forces or, if there are no such forces, of "
-               "inertia; unknown if no force acts"}};
+               "unbalanced forces (inertia included) after the last substep: the sum of their lengths over "
+               "all vertices, divided by the sum of the lengths of the effects' forces (without effects: of "
+               "the inertial forces); unknown if no force acts"}};
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"step_residual", "1",
-               "unbalanced forces divided by the effects' forces or, if there are no such forces, by "
-               "inertia; both are summed over the last substeps of all frames"}};
+               "sum of the unbalanced forces divided by the sum of the effects' forces (without effects: of "
+               "the inertial forces); each sum runs over the last substeps of all frames"}};
     },
     .begin = begun<StepResidualMeasurement>};
 }  // namespace measure

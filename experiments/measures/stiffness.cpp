@@ -36,10 +36,10 @@ extern const Measure stiffness{
     .gives = []() -> std::vector<Quantity> {
       return {{"stiffness_height_over_width", "1",
                "H/W: how far the free end hangs down, divided by how far it reaches out"},
-              {"stiffness_gamma", "1", "ρ g L³ / B of the heavy elastica with that H/W"},
-              {"stiffness_flexural_rigidity", "N m", "B of that elastica (moment m = B κ)"},
+              {"stiffness_gamma", "1", "ρ g L³ / B of the heavy elastica with this H/W"},
+              {"stiffness_flexural_rigidity", "N m", "B of the elastica with this H/W (moment m = B κ)"},
               {"stiffness_bending_length", "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
-              {"stiffness_quartic", "N m³", "C of the strip with that H/W whose moment is m = C κ³"},
+              {"stiffness_quartic", "N m³", "C of a strip with this H/W and the moment m = C κ³"},
               {"stiffness_fit_exponent", "1", "p of m ∝ κ^p, fitted to the whole shape"},
               {"stiffness_fit_B", "N m", "B fitted to the whole shape"},
               {"stiffness_fit_C", "N m³", "C fitted to the whole shape"}};

@@ -60,7 +60,7 @@ extern const Measure stretch{
           for (const Column& column : stretch_columns) {
             all.push_back({column.name, column.unit,
                            column.meaning + "; median over the last second; with the method equilibrium, the "
-                                            "value of its last step"});
+                                            "value of the last step"});
             all.push_back({column.name + "_last", column.unit, "of the last frame"});
           }
           all.push_back({"worst_stretch", "1", "largest σ₁ of all frames"});

@@ -65,8 +65,8 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
   const StripLoad load{config.scene().material.density, gravity_of(config.scene().effects)};
   RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
   const double reach = reach_of(config, rest, pins, strip.meter.along());
-  // The solver's positions are relative to the middle of the strip. Positions that are stored in single
-  // precision are not.
+  // The solver's positions are relative to the middle of the strip, so only the size matters for rounding.
+  // Stored positions are absolute, so in single precision the largest coordinate matters, too.
   const bool stored_in_double = needs_double(rest.positions(), rest.triangles());
   const double largest =
       stored_in_double ? rest.size() : std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());

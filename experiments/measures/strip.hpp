@@ -13,12 +13,12 @@
 
 namespace bendlab {
 
-/// The defaults follow from the reach of the bending model: how far its constraints extend along the strip
-/// (the median over the free vertices that a constraint joins to the clamp). The reach is t rows for springs
-/// of ring t, and two rows for hinges.
+/// The defaults follow from the reach of the bending model: how far the model's constraints extend along the
+/// strip (the median over the free vertices that a constraint joins to the clamp). The reach is t rows of the
+/// mesh for springs to ring t, and two rows for hinges.
 struct StripSettings {
-  /// m; default: a quarter of the reach. 0 for physical stiffness, whose calibration compensates for the
-  /// clamp.
+  /// m; default: a quarter of the reach, but 0 with physical stiffness, because the calibration already
+  /// corrects for the clamp.
   std::optional<double> clamp_offset;
   std::optional<double> exclude;  ///< m; default: the reach
 };

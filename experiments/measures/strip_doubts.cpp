@@ -36,8 +36,7 @@ struct Law {
   int power() const { return law == BendingLaw::linear ? 3 : 5; }  // of the length in Γ
 };
 
-// The bending law whose stiffness the config states in physical units; nothing if it states no such
-// stiffness.
+// The bending law and its stiffness, if the config states the stiffness in physical units; else nothing.
 std::optional<Law> stated_law(const RunConfig& config) {
   const Bending& bending = config.scene().bending;
   if (bending.stiffness != Stiffness::physical) return std::nullopt;
@@ -57,7 +56,7 @@ std::string strip_that_would_do(const Law& law, double weight) {
                length = std::pow(gamma * law.coefficient / weight, 1.0 / law.power());
   return fmt::format(
       "a strip whose free part is about {:.2g} m and at least {} edges long drops by as much as it reaches "
-      "out, and can be read",
+      "out, and so shows its stiffness",
       length, enough_edges);
 }
 
@@ -74,8 +73,8 @@ std::optional<std::string> unreadable_strip(const RunConfig& config, const Built
   if (!law || !meter) return std::nullopt;
   const double length = meter->length(), edge = scene.rest.mean_edge_length(), weight = weight_of(config),
                gamma = weight * std::pow(length, law->power()) / law->coefficient;
-  // A soft strip hangs by T = ρ g L. With the angle φ from the vertical, T (1 - cos φ) is B κ²/2, or 3 C
-  // κ⁴/4; it reaches out by ∫ sin φ dφ / κ.
+  // A soft strip hangs down from the clamp with the tension T = ρ g L. If φ is the strip's angle from the
+  // vertical, T (1 - cos φ) equals B κ²/2, or 3 C κ⁴/4. The strip then reaches out by ∫ sin φ dφ / κ.
   const double reach = law->law == BendingLaw::linear ? length * std::sqrt(2 / gamma)
                                                       : length * 4 / 3 * std::pow(0.75 / gamma, 0.25);
   if (reach < edge)
@@ -83,15 +82,14 @@ std::optional<std::string> unreadable_strip(const RunConfig& config, const Built
         "the strip is too soft for its mesh: with the stated stiffness, the strip of {:.3g} m turns downward "
         "within {:.2g} m of the clamp, but an edge is {:.2g} m long, so no stiffness can be read; {}",
         length, reach, edge, strip_that_would_do(*law, weight));
-  // A stiff strip drops by Γ/8 of its length, and its curvature is Γ/8L halfway. Both have to be above
-  // rounding.
+  // A stiff strip drops by Γ/8 of its length, and its curvature is Γ/8L halfway. The drop and the curvature
+  // must be larger than their rounding errors.
   if (law->law != BendingLaw::linear || scene.precision == Precision::double_precision) return std::nullopt;
   const double rounding = scene.rest.size() * 0x1p-24, curvature = gamma / (8 * length);
   if (curvature * edge * edge < 80 * rounding)
     return fmt::format(
-        "the strip is too stiff to be read in single precision: with the stated stiffness, the strip of "
-        "{:.3g} m drops by {:.2g} m and bends by {:.1g} m along an edge, but coordinates are rounded to "
-        "{:.1g} m; {}",
+        "the strip is too stiff for single precision: with the stated stiffness, the strip of {:.3g} m drops "
+        "by {:.2g} m and bends by {:.1g} m along an edge, but coordinates are rounded to {:.1g} m; {}",
         length, length * gamma / 8, curvature * edge * edge, rounding, strip_that_would_do(*law, weight));
   return std::nullopt;
 }
@@ -123,7 +121,7 @@ std::optional<std::string> doubtful_reference(const RunConfig& config,
   const auto readings = summary_of(strip.meter.measure(as_rows(read_positions(file, -1)), strip.options));
   if (!readings_disagree(readings)) return std::nullopt;
   return fmt::format(
-      "two readings of its strip's stiffness differ by {:.0f} %: `bendlab stiffness {}` shows them",
+      "two readings of the strip's stiffness differ by {:.0f} %: `bendlab stiffness {}` shows both readings",
       100 * std::abs(*ratio_of_readings(readings) - 1), file.parent_path().string());
 } catch (const std::invalid_argument&) {  // the cloth is no strip
   return std::nullopt;
@@ -136,7 +134,7 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Built
   if (height_over_width == summary.end() || !meter) return std::nullopt;
   const std::optional<Law> stated = stated_law(config);
   const bool fitted = summary.contains("stiffness_fit_exponent");
-  // H² + W² is a little less than L².
+  // The reach W follows from H/W, because H² + W² is only a little less than L².
   const double edge = scene.rest.mean_edge_length(),
                reach = meter->length() / std::hypot(1, height_over_width->second);
   if (!fitted || reach < edge) {
@@ -147,9 +145,9 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Built
         "the strip shows no stiffness: H/W is {:.3g}, {}; {}", height_over_width->second,
         reach < edge ? fmt::format("so the strip turns downward within {:.2g} m, but edges are {:.2g} m long",
                                    reach, edge)
-                     : "and fewer than three places have a curvature above rounding",
+                     : "and at fewer than three points the curvature is above rounding",
         read.coefficient > 0 ? strip_that_would_do(read, weight_of(config))
-                             : "take a longer strip, or more cells, and let it come to rest");
+                             : "take a longer strip, or more cells, and let the strip come to rest");
   }
   if (!readings_disagree(summary)) return std::nullopt;
   const bool linear = summary.at("stiffness_fit_exponent") < 2;
@@ -163,12 +161,12 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Built
              : fmt::format("{:.3g}", summary.at("stiffness_fit_C")));
   if (meter->clamp_depth() > 0.1 * edge)
     return readings + fmt::format(
-                          "the edge of its clamp zigzags by {:.2g} m, and there the membrane cannot bend "
-                          "without stretching. Choose a mesh with edges along the clamp (equilateral: "
+                          "the edge of the clamp zigzags by {:.2g} m, and the membrane at the clamp cannot "
+                          "bend without stretching. Choose a mesh with edges along the clamp (equilateral: "
                           "/mesh/rows), or a finer mesh",
                           meter->clamp_depth());
   const bool moves = scene.input.method.kind().has_motion;
-  return readings + fmt::format("{}its mesh is coarse, or its membrane is soft. Take {}twice the /mesh/cells",
+  return readings + fmt::format("{}the mesh is coarse, or the membrane is soft. Take {}twice the /mesh/cells",
                                 moves ? "the strip has not come to rest, " : "",
                                 moves ? "the method equilibrium, and " : "");
 }

@@ -29,7 +29,7 @@ std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, con
   return pairs;
 }
 
-// Compares single poses. Values that depend only on the meshes are computed once.
+// Compares single poses. The constructor computes the values that depend only on the meshes.
 class PoseComparison {
  public:
   PoseComparison(const RestMesh& run, const RestMesh& reference, const Comparing& comparing)

@@ -28,14 +28,14 @@ struct Comparing {
   double energy_scale = 0;    ///< J; 0: do not compare energies
 };
 
-/// The errors that accuracy.cpp lists, without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over
-/// time also `frames`, `energy` and the worst errors. Throws std::invalid_argument if the meshes don't match,
-/// or no two frames have the same time.
+/// The errors that accuracy.cpp lists, without their prefix: `rms`, `largest`, `hausdorff`, `strain`; with
+/// Comparing::over_time also `frames`, `energy` and the worst errors. Throws std::invalid_argument if the
+/// meshes don't match, or no two frames have the same time.
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
                                              const Comparing& comparing);
 
-/// Read a run's file: its last frame; all frames; all frames with their energies in the run's scene. Throw
-/// RunFileError.
+/// Three functions that read frames from a run's file: the last frame, all frames, or all frames with their
+/// energies in the run's scene. All throw RunFileError.
 Trajectory read_last_pose(const std::filesystem::path& file);
 Trajectory read_motion(const std::filesystem::path& file);
 Trajectory read_motion(const std::filesystem::path& file, const BuiltScene& scene);

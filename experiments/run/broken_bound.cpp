@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, 8> bound_names = {"finite", "stretch",  "
                                                          "speed",  "momentum", "fall",        "energy"};
 constexpr std::array<std::string_view, 8> bound_units = {"1", "1", "1", "m", "m/s", "m/s", "m", "J"};
 
-// Which bound, by how much and where.
+// States which bound the run broke, by how much and where.
 std::string what_broke(const BrokenBound& broken) {
   const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
   switch (bound) {
@@ -31,8 +31,8 @@ std::string what_broke(const BrokenBound& broken) {
                          measured, limit);
     case Bound::reach:
       return fmt::format(
-          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them stretches to at most "
-          "{:.3g} m",
+          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between vertex and pin stretches "
+          "to at most {:.3g} m",
           vertex, measured, limit);
     case Bound::speed:
       return fmt::format("vertex {} moves at {:.3g} m/s, but the deepest possible fall gives at most {:.3g}",
@@ -73,12 +73,11 @@ std::string_view unit_of(Bound bound) {
 
 std::string text_of(const BrokenBound& broken) {
   const Correction& correction = broken.correction;
-  const std::string cause =
-      correction.kind.empty()
-          ? ""
-          : fmt::format(
-                "; of the constraints there, a constraint of kind {} has the largest correction, {:.3g} m",
-                correction.kind, correction.length);
+  const std::string cause = correction.kind.empty() ? ""
+                                                    : fmt::format(
+                                                          "; of the constraints at this vertex, a constraint "
+                                                          "of kind {} has the largest correction, {:.3g} m",
+                                                          correction.kind, correction.length);
   return fmt::format("at t = {:.6g} s {}{}{}{}", broken.time, what_broke(broken), cause,
                      broken.advice.empty() ? "" : ". In tests of other scenes, this helped: ", broken.advice);
 }

@@ -1,4 +1,4 @@
-// A bound that a run broke although its scene cannot exceed it (plausibility.hpp), as text and as JSON.
+// A bound that a run broke, but that no correct result can break (plausibility.hpp), as text and as JSON.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace bendlab {
 
-/// A quantity with a limit that a run may not exceed. plausibility.cpp says when it is checked, and gives the
-/// reason for the limit.
+/// A quantity with a limit that a run may not exceed. plausibility.cpp says when each quantity is checked,
+/// and gives the reason for the limit.
 enum class Bound {
   finite,       ///< a coordinate, a velocity or a metric of the summary is not finite
   stretch,      ///< of the most stretched triangle: length over rest length
@@ -19,8 +19,8 @@ enum class Bound {
   reach,        ///< distance of a vertex from its nearest pin, m
   speed,        ///< of a vertex, m/s
   momentum,     ///< velocity of the centre of mass minus v0 + g t, m/s; for a cloth that nothing holds
-  fall,         ///< displacement of the centre of mass minus v0 t + g t²/2, m; for the same cloth
-  energy,       ///< kinetic energy plus energy of weight, minus their value at the start, J
+  fall,    ///< displacement of the centre of mass minus v0 t + g t²/2, m; for a cloth that nothing holds
+  energy,  ///< kinetic energy plus energy of weight, minus their value at the start, J
 };
 std::string_view name_of(Bound bound);  ///< as in the enum
 std::string_view unit_of(Bound bound);
@@ -37,8 +37,8 @@ struct BrokenBound {
 
 /// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", with the advice.
 std::string text_of(const BrokenBound& broken);
-/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}. When this is written
-/// as text, numbers that are not finite become null.
+/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}. In the text of this
+/// JSON, numbers that are not finite become null.
 Json to_json(const BrokenBound& broken);
 /// Reads the JSON of to_json(). Returns nothing for other JSON.
 std::optional<BrokenBound> broken_bound_of(const Json& json);

@@ -36,7 +36,7 @@ constexpr rlim_t memory_limit = rlim_t{4} << 30;  // bytes
 
 std::atomic<bool> has_child{false};  // the program answers `read-file FILE`
 
-// The output of a child process until it ended or was killed.
+// The output that a child process wrote before it ended or was killed.
 struct Answer {
   std::string text;
   int status = 0;
@@ -113,12 +113,13 @@ RunRecord read_by_child(const fs::path& file) {
 RunRecord read_checked(const fs::path& file) {
   const Seal seal = seal_of(file);
   if (seal == Seal::broken)
-    throw file_error(file, "can't be used", "it was changed after it was written: its checksum is wrong", 0);
+    throw file_error(file, "can't be used",
+                     "the file was changed after it was written: its checksum is wrong", 0);
   if (seal == Seal::whole) return read_run(file);
   RunRecord run = has_child ? read_by_child(file) : read_run(file);
   if (is_over(run.status))
     throw file_error(file, "can't be used",
-                     "it was changed after it was written: it is finished, but has no checksum", 0);
+                     "the file was changed after it was written: it is finished, but has no checksum", 0);
   if (run.status == RunStatus::running && owner_of(file.parent_path()).empty())
     run.status = RunStatus::interrupted;
   return run;

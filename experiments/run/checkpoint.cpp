@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr const char* checkpoint_name = "run.checkpoint";
 constexpr double largest_share = 0.01;  // share of a run's time that checkpoints may take
 
-// The bits of a Cholesky factor depend on the processor, for which the BLAS chooses its kernels.
+// The bits of a Cholesky factor depend on the BLAS kernels, which are chosen for the processor.
 std::string identity(const std::string& id) {
   return fmt::format("bendlab checkpoint\n{}\n{}\n{}\n", id, processor_name(), blas_kernels());
 }

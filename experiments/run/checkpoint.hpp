@@ -1,5 +1,5 @@
-// Checkpoint: a file beside the run file, from which a run goes on after it was stopped or killed, or after a
-// power cut.
+// A checkpoint is a file beside the run file. A run continues from its checkpoint after it was stopped or
+// killed, or after a power cut.
 #pragma once
 
 #include <chrono>
@@ -18,17 +18,17 @@ struct Checkpoint {
   std::string state;         ///< an archive of all that the run keeps between steps
 };
 
-/// Replaces the checkpoint in `folder` in one step. Throws RunFileError.
+/// Replaces the checkpoint in `folder` atomically. Throws RunFileError.
 void write_checkpoint(const std::filesystem::path& folder, const std::string& id,
                       const Checkpoint& checkpoint);
 
-/// The checkpoint of run `id`. Nothing if it is missing or damaged, or was written for another kind of
-/// processor.
+/// The checkpoint of run `id`. Nothing if this checkpoint is missing or damaged, or was written on another
+/// kind of processor.
 std::optional<Checkpoint> read_checkpoint(const std::filesystem::path& folder, const std::string& id);
 
 void remove_checkpoint(const std::filesystem::path& folder) noexcept;
 
-/// Writes checkpoints of one run, so seldom that they cost at most 1 % of its time.
+/// Writes checkpoints of one run, so rarely that they cost at most 1 % of the run's time.
 class Checkpoints {
  public:
   using Seconds = std::chrono::duration<double>;
@@ -37,9 +37,8 @@ class Checkpoints {
   /// `interval`: the shortest time between two checkpoints; 0: only now() writes a checkpoint.
   Checkpoints(std::filesystem::path folder, std::string id, FrameWriter& writer, Seconds interval);
 
-  /// Writes a checkpoint if it is due. `state` is called only then, when all `frames` are in the run file.
+  /// Writes a checkpoint if the interval is over. Calls `state` when all `frames` are in the run file.
   void look(std::uint64_t frames, const State& state);
-  /// Writes a checkpoint.
   void now(std::uint64_t frames, const State& state);
 
  private:

@@ -7,14 +7,14 @@
 
 namespace bendlab {
 
-/// The constraint that wants to move a vertex farthest in one projection at k = 1.
+/// The constraint that would move a vertex farthest in one projection with k = 1.
 struct Correction {
   /// "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
   std::string kind;
   double length = 0;  ///< m
 };
 
-/// The largest correction of `vertex` at `positions` (#V by 3, m); without kind and length if `vertex` is -1.
+/// The largest correction of `vertex` at `positions` (#V by 3, m); an empty Correction if `vertex` is -1.
 Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex);
 
 /// Length of the largest correction of any vertex by a bending constraint, m.

@@ -29,13 +29,13 @@ Failure current_failure() {
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::resource_unavailable_try_again)
       return {exit_failed,
-              "no more threads can be started: try fewer runs side by side (--jobs 1), or give the "
+              "no more threads can be started: compute fewer runs at the same time (--jobs 1), or allow the "
               "process more memory (ulimit -v) or more threads (ulimit -u)"};
     return {exit_io, error.what()};
   } catch (const NoRoom& error) {
     return {exit_failed, error.what()};
   } catch (const std::bad_alloc&) {
-    return {exit_failed, "out of memory: try fewer runs side by side (--jobs 1) or a coarser mesh"};
+    return {exit_failed, "out of memory: compute fewer runs at once (--jobs 1), or choose a coarser mesh"};
   } catch (const std::exception& error) {
     return {exit_failed, error.what()};
   }

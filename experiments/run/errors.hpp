@@ -1,4 +1,4 @@
-// Exit codes, and the exit code of an error.
+// The exit codes of the program, and which error leads to which exit code.
 #pragma once
 
 #include <stdexcept>
@@ -17,7 +17,7 @@ enum ExitCode : int {
   exit_numerical = 6,  ///< a run diverged
 };
 
-/// Arguments that make no sense together, or that name something which does not exist. Exit code 2.
+/// Arguments that contradict each other, or that name something that does not exist. Exit code 2.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -32,7 +32,7 @@ struct Failure {
   std::string message;
 };
 
-/// Exit code and text of the exception that is being handled: for use inside a catch block.
+/// Exit code and text of the current exception. To be called inside a catch block.
 Failure current_failure();
 
 }  // namespace bendlab

@@ -37,7 +37,7 @@ Found look_for(const std::filesystem::path& file, const std::string& id) {
   try {
     switch (seal_of(file)) {
       case Seal::none:
-        return {{}, "has no checksum, so this program did not finish it"};
+        return {{}, "has no checksum, so this program did not finish the file"};
       case Seal::broken:
         return {{}, "was changed after it was written: its checksum is wrong"};
       case Seal::whole:
@@ -63,7 +63,7 @@ void keep_changes(const std::filesystem::path& folder) try {
 std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token) {
   const std::filesystem::path aside = fmt::format("{}.{}.bad", file.string(), token);
   std::filesystem::rename(file, aside);
-  return fmt::format("{} {}; it is set aside as {}, and the run is computed again", file.string(), why,
+  return fmt::format("{} {}; the file is set aside as {}, and the run is computed again", file.string(), why,
                      aside.filename().string());
 }
 

@@ -31,8 +31,8 @@ namespace bytes {
 constexpr double of_program = 26e6;
 constexpr double per_vertex = 1130;  // mesh, membrane, frames that wait to be written
 constexpr double padding = 1.3;      // of constraints, which kernels take in groups
-// While the stiffness of pairs is fitted: the sparse factor of the bent sheet per vertex, less a constant;
-// or, if that is more, `fitted` per pair.
+// Memory while the stiffness of pairs of vertices is fitted: `fitted` per pair, or, if larger, the sparse
+// factor of the bent sheet (`bent_sheet` per vertex minus `bent_sheet_less`).
 constexpr double bent_sheet = 3900, bent_sheet_less = 1e7, fitted = 190;
 constexpr double factor_of_scalars = 110, factor_of_blocks = 700;  // per vertex, times log2 of the vertices
 constexpr double levels_per_vertex = 330;
@@ -62,7 +62,7 @@ bool has_levels(const Method& method) {
   return method.kind().carries_stretch != nullptr && method.kind().carries_stretch(method.settings());
 }
 
-// The factor of a matrix has more entries if there are more constraints, or if they reach farther.
+// The factor of a matrix has more entries if there are more constraints, or if constraints are longer.
 double fill(const RunSize& size) {
   return std::max(1.0, 0.35 * size.reach * std::cbrt(size.pairs / size.vertices));
 }
@@ -77,7 +77,7 @@ Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double)
   if (method.factorised == Factorised::scalars) parts.factor = factor * bytes::factor_of_scalars;
   if (method.factorised == Factorised::blocks) parts.factor = factor * bytes::factor_of_blocks * fill(size);
   if (config.scene().bending.stiffness != Stiffness::physical || size.pairs == 0) return parts;
-  // The fit is over before anything is factorised.
+  // The fit frees its memory before the solver factorises its matrix.
   const double fit =
       std::max(size.vertices * bytes::bent_sheet - bytes::bent_sheet_less, size.pairs * bytes::fitted);
   parts.bending = std::max(parts.bending, fit - parts.factor);
@@ -88,8 +88,9 @@ std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted)
   if (parts.factor > parts.bending + parts.mesh)
     return "choose fewer /mesh/cells, or a method without a matrix";
   if (parts.bending < parts.mesh) return "choose fewer /mesh/cells";
-  std::string advice = fmt::format("choose fewer /mesh/cells, a smaller radius or level of {}, or sparse_lod",
-                                   config.scene().bending.model.name());
+  std::string advice =
+      fmt::format("choose fewer /mesh/cells, a smaller radius or level of {}, or the model sparse_lod",
+                  config.scene().bending.model.name());
   if (fitted)
     advice +=
         "; /bending/stiffness \"compliance\" or \"k\" needs less memory than \"physical\", which fits each "
@@ -122,7 +123,7 @@ double left_in_limit() {
 
 double disk_bytes(const RunConfig& config, const RunSize& size, double frames, double cpu_s, bool in_double) {
   const Mesh& mesh = config.scene().mesh;
-  // The largest coordinate. A mesh file that lies far from the origin is not considered.
+  // The largest coordinate, except if a mesh file has coordinates far from the origin.
   const double farthest = std::max(size.size / 2, mesh.offset.cwiseAbs().maxCoeff());
   in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * size.mean_edge;
   const bool regular = !mesh.file && mesh.generator != Generator::delaunay;
@@ -244,7 +245,7 @@ void require_room(const RunConfig& config, const fs::path& folder) {
   if (!error && needs->disk_bytes > let_through * static_cast<double>(space.available))
     throw RunFileError(fmt::format(
         "{}: the run file needs about {}, but only {} are free on that disk: choose fewer "
-        "/output/frames_per_second or a shorter /duration, or another --out",
+        "/output/frames_per_second, a shorter /duration, or another folder (--out)",
         folder.string(), bytes_text(needs->disk_bytes), bytes_text(static_cast<double>(space.available))));
 }
 

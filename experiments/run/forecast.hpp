@@ -24,21 +24,20 @@ struct Forecast {
 std::optional<Forecast> forecast(const RunConfig& config);
 
 /// Memory that the processes of a control group may still take, bytes; infinite without a limit. `group`:
-/// folder of the group (version 2). Files that the system caches in memory do not count, because it drops
-/// them first.
+/// folder of the control group (cgroup version 2). Memory in which the system caches files counts as free.
 double left_in_group(const std::filesystem::path& group);
 
 /// Memory that this process may still take, bytes: limited by the machine, its control group, and its own
 /// limit.
 double available_memory();
 
-/// The machine has too little memory for a run.
+/// Thrown if the machine has too little memory for a run.
 class NoRoom : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Throws NoRoom, with the memory that the run needs, the memory that is available, and the setting to
-/// change. Tolerates a tenth too much, because a forecast is not exact.
+/// change. Allows runs that need up to 10 % more than the available memory, because a forecast is not exact.
 void require_memory(const RunConfig& config);
 
 /// Like require_memory(); also throws RunFileError if the run file does not fit on the disk of `folder`.

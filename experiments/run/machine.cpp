@@ -28,7 +28,7 @@ std::string host_name() {
   return gethostname(name, sizeof(name) - 1) == 0 ? name : "unknown";
 }
 
-// Asked at run time, because the program may be linked to another BLAS than at compile time.
+// The name is looked up at run time, because the system may load another BLAS than at compile time.
 std::string blas_kernels() {
   using CoreName = const char* (*)();
   const auto core = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));

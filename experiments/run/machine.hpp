@@ -1,4 +1,4 @@
-// The machine's names and clocks, which runs and benchmarks record.
+// Names and clocks of the machine, for the records of runs and benchmarks.
 #pragma once
 
 #include <string>

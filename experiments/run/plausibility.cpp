@@ -20,40 +20,39 @@ namespace {
 
 // ---- The limits. A limit is a value that the scene cannot exceed, times a margin for the errors of a solver
 
-// A membrane with k, or with compliance 0, should not stretch, but iterations leave it stretched. On 16 cells
-// the paper's scene has triangles 1.5 times as long as at rest and, at the end of a swing, 2.2 times for a
-// moment. The paper's own figure 1 calls a pin wrong if the stretch there is above 2.
+// A membrane with k, or with compliance 0, should not stretch, but too few iterations leave some stretch. On
+// 16 cells the paper's scene has triangles 1.5 times as long as at rest and, at the end of a swing, 2.2 times
+// for a moment. Figure 1 of the paper calls a pin wrong if the stretch at the pin is above 2.
 constexpr double largest_stretch = 3, largest_lasting_stretch = 2;
-// The mean strain over all triangles is 0.04 in that scene, and at most 0.08 for a moment.
+// The mean strain over all triangles is 0.04 in the paper's scene, and at most 0.08 for a moment.
 constexpr double largest_mean_strain = 0.3, largest_lasting_mean_strain = 0.2;
 constexpr double moment = 0.5;  // s; the end of a swing exceeds a lasting limit for less time than this
 
-// Factor for a membrane with a compliance. A sudden load stretches it twice as far as a resting load. The
-// triangles at a corner share a load unevenly: the first carries twice its share.
+// Factor on the strain of a membrane with a compliance. A sudden load stretches the membrane twice as far as
+// a resting load. The triangles at a corner share a load unevenly: one of them carries twice its share.
 constexpr double sudden_and_uneven = 4;
 
-// Stretch of the whole path from a pin, on which not all triangles are stretched as far as the worst
-// triangle.
+// Largest stretch of a whole path from a pin. A single triangle of the path may be stretched farther.
 constexpr double largest_way_stretch = 1.5;
 
-// A whipping tip is faster than falling cloth, because it takes the energy of its neighbours. A factor of 4
-// in speed is a factor of 16 in energy.
+// The whipping tip of a cloth is faster than falling cloth, because the tip takes energy from its neighbours.
+// A factor of 4 in speed is a factor of 16 in energy.
 constexpr double whip = 4;
 
-// Shares of the energy scale. The energy of PBD may rise: forward sweeps with small steps leave speeds up to
-// 1 m/s (0.04 of weight times size for a sheet of 1 m). An implicit step that finds its minimum gains no
-// energy.
+// Shares of the energy scale. With PBD the energy may rise: iterations that project the constraints in one
+// order only, with small steps, leave speeds up to 1 m/s. For a sheet of 1 m, this is an energy of 0.04 of
+// weight times size. An implicit step that finds its minimum gains no energy.
 constexpr double largest_energy_gain = 0.25, largest_implicit_gain = 0.02;
 
-// Share of the sum of g t, v0 and the speed of the fastest vertex. With gravity there is no further allowance
-// for rounding, because gravity must not be lost to rounding.
+// Allowed error of the velocity, as a share of the sum of g t, v0 and the speed of the fastest vertex. With
+// gravity, rounding errors must stay within this share, because they must not cancel gravity.
 constexpr double momentum_share = 0.01;
-// Without gravity, rounding is allowed this multiple of the speed that it adds up to as a random walk. The
-// stability page uses the same multiple.
+// Without gravity, a further error is allowed: `walks` times the speed to which rounding errors add up in a
+// random walk. The stability page uses the same factor.
 constexpr double walks = 8;
 
-// A check copies positions and velocities. For 65² vertices that takes 32 to 51 µs, about 10 ns per vertex;
-// 1000 projections take at least 2 µs. Measured on that mesh, checks take 0.3 % of a step without bending and
+// A check copies positions and velocities. For 65² vertices the copies take 32 to 51 µs, about 10 ns per
+// vertex; 1000 projections take at least 2 µs. On this mesh, checks take 0.3 % of a step without bending and
 // with 1 iteration, 0.2 % with 10 iterations, and 0.5 % with the model adaptive and 1 or 10 iterations.
 constexpr double projections_per_vertex_and_look = 1000;
 
@@ -113,8 +112,8 @@ void Plausibility::find_what_drives() {
       std::ranges::all_of(scene_.effects, [](const Effect& effect) { return effect.kind().keeps_momentum; });
 }
 
-// The energy at the start is kinetic energy plus the elastic energy of constraints with a compliance. k
-// states no energy, so the energy of a strained start is not known with k.
+// The energy at the start is kinetic energy plus the elastic energy of constraints with a compliance.
+// Constraints with k have no defined energy, so with k the energy of a strained start pose is unknown.
 void Plausibility::find_start() {
   const SimulationInput& input = scene_.input;
   const Positions zero = Positions::Zero(input.positions.rows(), 3);
@@ -149,9 +148,9 @@ void Plausibility::find_start() {
                   largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();
 }
 
-// A membrane's compliance α is 1 over its stiffness in N/m. A load W on a width w strains it by α W / w. An
-// impact at the speed v strains it by v √(α ρ), which is v over the membrane's wave speed. The whole energy E
-// of the scene strains it by √(2 α E / A) on average over the area A.
+// A membrane's compliance α is 1 over its stiffness in N/m. A load W on a width w strains the membrane by α W
+// / w. An impact at the speed v strains the membrane by v √(α ρ), which is v over the membrane's wave speed.
+// The scene's energy E strains the area A of the membrane by √(2 α E / A) on average.
 void Plausibility::find_stretch_limits() {
   const SimulationInput& input = scene_.input;
   const StrainStiffness& strain = input.strain_stiffness;
@@ -193,8 +192,8 @@ void Plausibility::find_stretch_limits() {
   }
 }
 
-// Largest distance of each vertex from its nearest pin: the stretched path along the cloth, plus an edge at
-// the pin that is stretched as far as a single triangle may be.
+// The limit on the distance of each vertex from its nearest pin: the stretched path along the cloth, plus one
+// edge at the pin that is stretched as far as a single triangle may be.
 void Plausibility::find_reach() {
   if (scene_.pins.all.empty() || !std::isfinite(stretch_)) return;
   const Positions& start = scene_.input.positions;
@@ -213,7 +212,7 @@ void Plausibility::find_reach() {
   }
 }
 
-// Distances along the cloth between a sample of the pins, which lie as far apart as possible.
+// Distances along the cloth between sampled pins. The sampled pins lie as far apart as possible.
 void Plausibility::find_pin_pairs() {
   constexpr std::size_t most = 12;
   const std::vector<int>& pins = scene_.pins.all;
@@ -236,7 +235,7 @@ void Plausibility::find_pin_pairs() {
   }
 }
 
-// How far pins that moved apart stretch the cloth between them: length over rest length, at least 1.
+// The stretch (length over rest length, at least 1) that the moved pins force on the cloth between them.
 double Plausibility::needed_stretch(const Positions& positions) const {
   double needed = 1;
   for (const PinPair& pair : pin_pairs_)
@@ -308,7 +307,7 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
   if (driven_ || !energy_known_) return std::nullopt;
   Eigen::Index fastest = 0;
   const double square = velocities.rowwise().squaredNorm().maxCoeff(&fastest);
-  // Cloth without a pin keeps falling; so does a piece of the mesh without a pin.
+  // Cloth without a pin keeps falling, and a piece of the mesh without a pin, too.
   double fall = scene_.rest.size() + fall_;
   const double highest = -(scene_.input.positions * scene_.down).minCoeff();
   fall += std::max(0.0, highest - -row(positions, fastest).dot(scene_.down));
@@ -343,8 +342,9 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
       .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
 }
 
-// Rounding a coordinate at the distance d changes a speed by ε d / h. Projections move at most four points,
-// and their roundings add up like a random walk. The mean over the vertices makes the sum small.
+// Rounding a coordinate at the distance d from the origin changes a speed by ε d / h. A projection moves at
+// most four points, and all rounding errors add up like a random walk. The mean over the vertices makes the
+// sum small.
 std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
                                                           const Positions& velocities) const {
   if (!free_ || !(time > 0)) return std::nullopt;
@@ -371,7 +371,7 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
   const double off = (velocity - velocity_at_start_ - time * gravity_).norm();
   if (off > speed_limit)
     return BrokenBound{.bound = Bound::momentum, .measured = off, .limit = speed_limit, .vertex = -1};
-  // A step increases v before it moves x, so x gets farther by g t h / 2; h is at most dt.
+  // A step increases v before it moves x, so x moves farther than g t²/2, by g t h / 2; h is at most dt.
   const double way_limit = speed_limit * time + 0.5 * fallen * solver.dt;
   const double way_off =
       (centre - centre_at_start_ - time * velocity_at_start_ - 0.5 * time * time * gravity_).norm();

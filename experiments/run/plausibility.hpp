@@ -1,6 +1,6 @@
-// Checks a run, while it is computed, against bounds that its scene cannot exceed, whatever the settings of
-// the solver are. The verdict `complete` says that a run reached its end. These checks say whether its result
-// can be believed.
+// Checks a run, while it is computed, against bounds that no correct result of the scene can exceed, whatever
+// the settings of the solver are. The verdict `complete` says that a run reached its end. These checks say
+// whether the result of the run is plausible.
 #pragma once
 
 #include <limits>
@@ -19,8 +19,8 @@ class Plausibility {
   /// Computes the limits from the scene, which must outlive this object.
   explicit Plausibility(const BuiltScene& scene);
 
-  /// To be called after every step. Checks positions and velocities, but only after so many projections that
-  /// copying them costs less than 1 % of the time. With `always`, for recorded frames, it checks now.
+  /// To be called after every step. Checks positions and velocities, but not in every call, so that copying
+  /// them costs less than 1 % of the time. If `always` is true (for recorded frames), this call checks.
   void look(const Simulation& simulation, bool always);
 
   /// Checks positions (#V by 3, m) and velocities (#V by 3, m/s) at `time` (s).
@@ -37,7 +37,7 @@ class Plausibility {
   std::optional<BrokenBound> broken() const;
 
  private:
-  // A value may exceed its lasting limit only for a moment. `since`: when it rose above the limit.
+  // A value may exceed its lasting limit only for a moment. `since`: when the value rose above the limit.
   struct Lasting {
     std::optional<double> since;  // s
     bool too_long(double time, bool above);

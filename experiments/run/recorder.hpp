@@ -13,32 +13,32 @@ namespace bendlab {
 
 class Recorder {
  public:
-  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError if
-  /// the scene cannot be measured as the config asks.
+  /// Begins the measures of the run. Both arguments must outlive the recorder. Throws ConfigError if a
+  /// measure does not fit the scene.
   Recorder(const RunConfig& config, const BuiltScene& scene);
 
   const std::vector<Column>& metrics() const { return columns_; }     ///< of Frame::metrics
   const std::vector<Column>& cell_fields() const { return fields_; }  ///< of Frame::cell_fields
 
-  /// To be called at time 0 and after every step, between steps.
+  /// To be called at time 0 and after every step.
   void step(const Simulation& simulation, const Moment& moment);
 
   /// A frame with its time, its positions, and the metrics that need more than positions. To be called
   /// between steps.
   Frame capture(const Simulation& simulation) const;
 
-  /// Fills in the rest of the frame, and checks its plausibility. Runs on the writer's thread, one frame at a
-  /// time, in order.
+  /// Computes all other values of the frame, and checks the frame's plausibility. Runs on the writer's
+  /// thread, for one frame after another.
   void complete(Frame& frame, Plausibility& plausibility);
 
-  /// Writes or reads what the measures keep between steps, when all frames are complete. The metrics of
-  /// earlier frames are in the run file: see take_earlier().
+  /// Writes or reads the state of the measures. To be called between steps, when all frames are complete. The
+  /// metrics of earlier frames are in the run file: see take_earlier().
   void archive(Archive& state);
   /// Reads the metrics of the first frames of a run file.
   void take_earlier(const EarlierFrames& earlier);
 
-  /// Findings of the measures that make other runs, or of all other measures. To be called when all frames
-  /// are complete.
+  /// Findings of the measures that make other runs if `of_those_that_make_runs`, else of all other measures.
+  /// To be called when all frames are complete.
   Findings findings(const RunEnd& end, bool of_those_that_make_runs);
 
   FrameHistory history() const { return {columns_, times_, rows_, has_motion_}; }

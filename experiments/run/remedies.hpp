@@ -1,4 +1,4 @@
-// Remedies for a run that broke a bound or diverged, as its method states them (MethodKind::remedies).
+// Remedies for a run that broke a bound or diverged, from the run's method (MethodKind::remedies).
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace bendlab {
 
-/// Remedies that helped in tests with the likely cause, with numbers. Empty if nothing helped, or if the
-/// scene has all remedies already. For a run that diverged: Bound::finite.
+/// Remedies that helped in tests, with numbers. Empty if nothing helped, or if the scene already has all
+/// remedies. For a run that diverged: Bound::finite.
 std::string remedies_for(Bound bound, const BuiltScene& scene);
 
 }  // namespace bendlab

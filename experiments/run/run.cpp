@@ -31,7 +31,7 @@ void add_message(RunOutcome& outcome, const std::string& text) {
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
 }
 
-// A stopped run is not judged, because it will go on later. A diverged run also reports the broken bound.
+// A stopped run gets no verdict, because it may continue. A diverged run also reports the broken bound.
 void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   if (!broken || outcome.status == RunStatus::interrupted) return;
   if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
@@ -85,7 +85,7 @@ Comparison compare_to_whole(const Simulation& minimal, const BuiltScene& whole) 
       !same};
 }
 
-// Computes another run that a measure needs, below `folder`, or reads it if it is complete.
+// Computes another run that a measure needs, below `folder`, or reads the run's file if it is complete.
 OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
                         const std::filesystem::path& folder, const RunControl& control) {
   Experiment experiment;
@@ -104,12 +104,12 @@ void add_findings(Findings findings, RunOutcome& outcome) {
   if (!findings.stopped) return;
   outcome.status = RunStatus::interrupted;
   add_message(outcome,
-              "stopped before it was compared with its references; run the same command again to do so");
+              "stopped before the comparison with the references; run the same command again to compare");
 }
 
-// The bits of an equilibrium depend on the kernels that the BLAS chose for the processor. So do the bits of a
-// run that starts at an equilibrium, or that is compared with an equilibrium. All other runs have the same
-// bits on every processor.
+// The bits of an equilibrium depend on the kernels that the BLAS chose for the processor. The same is true
+// for a run that starts at an equilibrium, or that is compared with an equilibrium. All other runs have the
+// same bits on every processor.
 bool depends_on_blas(const RunConfig& config) {
   if (!config.scene().solver.method.kind().has_motion) return true;
   if (const std::optional<RunConfig> before = run_before(config); before && depends_on_blas(*before))
@@ -123,14 +123,14 @@ bool depends_on_blas(const RunConfig& config) {
   return false;
 }
 
-// BLAS kernels are not part of a run's id, so that a plan is the same on every machine. Their results differ
-// only by rounding. A message says if the bits may differ.
+// BLAS kernels are not part of a run's id, so that a plan is the same on every machine. The results of two
+// kernels differ only by rounding. A message says if the bits of the run may differ.
 RunOutcome reused(const Found& existing, const RunConfig& config) {
   RunOutcome outcome = *existing.over;
   if (existing.blas_kernels != blas_kernels() && depends_on_blas(config))
     add_message(outcome,
-                fmt::format("reused, although it was computed with the BLAS kernels for {}; --force computes "
-                            "it again with the kernels of this machine, for {}",
+                fmt::format("reused, although the run was computed with the BLAS kernels for {}; --force "
+                            "computes the run again with the kernels of this machine, for {}",
                             existing.blas_kernels.empty() ? "another processor" : existing.blas_kernels,
                             blas_kernels()));
   return outcome;
@@ -213,8 +213,8 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary, outcome.status});
   if (!place.claim->holds())
     throw RunFileError(
-        fmt::format("{}: another process took this run over, because this process gave no sign of life for "
-                    "too long; the other result counts",
+        fmt::format("{}: another process took over this run, because this process gave no sign of life for "
+                    "too long; the result of the other process counts",
                     place.file.string()));
   if (place.keeps_file && outcome.status == RunStatus::interrupted)
     add_message(outcome, "stopped; the earlier file is kept");
@@ -272,7 +272,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (outcome.status != RunStatus::interrupted || place.keeps_file) remove_checkpoint(place.folder);
   add_message(outcome, note);
   if (!place.saved && !place.lost.empty())
-    add_message(outcome, "began again from its start, because earlier frames can't be used: " + place.lost);
+    add_message(outcome,
+                "the run began again from its start, because earlier frames can't be used: " + place.lost);
   return outcome;
 }
 

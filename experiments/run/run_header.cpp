@@ -24,7 +24,7 @@
 namespace bendlab {
 namespace {
 
-// The constraint's own softness; null if this kind has no softness, or the same for all constraints.
+// The constraint's own softness; null if the list has no softness for single constraints.
 template <class List>
 const double* softness_of(const List& list, std::size_t constraint) {
   if constexpr (requires { list.softness; })
@@ -34,9 +34,9 @@ const double* softness_of(const List& list, std::size_t constraint) {
 }
 
 // Records the vertices, rest values and softness (if the list has it) of every constraint, in the order in
-// which the solver projects them, without padded lanes. `rest_of` and `hashed_of` give a constraint's rest
-// values as an array: the values to record, and the values to hash. Constraints are hashed one by one,
-// because a copy of millions of springs would be the largest object in memory.
+// which the solver projects them, without padding. `rest_of` and `hashed_of` give a constraint's rest values
+// as an array: the values to record, and the values to hash. Constraints are hashed one by one, because a
+// copy of millions of springs would be the largest object in memory.
 template <class List, class RestOf, class HashedOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
                            RestOf rest_of, HashedOf hashed_of) {
@@ -69,7 +69,7 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   return record_of(kind, list, order, in_full, rest_of, rest_of);
 }
 
-// Records elements in the order of the list. Their rest values belong to their function and are not recorded.
+// Records elements in the order of the list, without rest values, because only their function knows these.
 ConstraintRecord record_of(const OwnElements& own, bool in_full) {
   const std::string_view vertices(reinterpret_cast<const char*>(own.vertices.data()),
                                   own.vertices.size() * sizeof(int));

@@ -17,8 +17,8 @@
 namespace bendlab {
 namespace {
 
-// A text that differs between versions of the added kinds of a run. Whether a measure applies is known only
-// once there is a scene. Here a measure counts if it may apply.
+// Identifies the versions of the model, method, effects and measures that the program added and the run uses.
+// Includes all measures that may apply, because only a built scene shows whether a measure applies.
 std::string code_of_added_kinds(const RunConfig& config) {
   static const std::string program = "of this program";
   std::string codes;
@@ -46,7 +46,7 @@ std::string bytes_of(const NamedFile& file) try {
                                  file.path.string(), error.what(), file.pointer));
 }
 
-// "mesh/cells" → "cells", values without quotes; characters that a folder's name can't hold become '_'.
+// Writes "cells" for "mesh/cells", values without quotes, and '_' for characters that can't be in a name.
 std::string readable_place(const RunConfig& config) {
   std::string place;
   for (const auto& [pointer, value] : config.point) {
@@ -59,15 +59,15 @@ std::string readable_place(const RunConfig& config) {
   return place.substr(0, longest);
 }
 
-// The id of a run that another run needs. Throws a RunFileError that names the setting which asks for it.
+// The id of a run that another run needs because of its setting `pointer`. RunFileErrors name the setting.
 std::string id_of_other(const RunConfig& other, const std::string& pointer) try {
   return run_id(other);
 } catch (const RunFileError& error) {
   throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
 }
 
-// The summary has errors against a reference, so a run with another reference is another run. Wrong settings
-// of the reference are reported when the reference is needed.
+// A run with another reference has another id, because its summary has errors against the reference. Wrong
+// settings of the reference are reported when the reference is needed.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
   return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";

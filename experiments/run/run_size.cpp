@@ -15,8 +15,8 @@ namespace {
 constexpr int counted_whole = 2000;    // vertices; on a larger mesh the constraints are sampled
 constexpr double large_patch = 10000;  // vertices
 
-// A patch of the mesh with half as many edges along its sides, of the same length. Nothing if these would be
-// too few.
+// A patch of the mesh with half as many edges along its sides, and the same edge length. Nothing if the patch
+// would have too few edges.
 std::optional<Mesh> half(Mesh mesh) {
   constexpr int fewest_cells = 16;
   const double scale = mesh.scale;
@@ -41,11 +41,11 @@ Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
   return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
 }
 
-// The size of the whole mesh if all of it were like the patch. `whole`: length of the mesh over length of the
-// patch.
+// The size of the whole mesh if the whole mesh were like the patch. `whole`: length of the mesh divided by
+// length of the patch.
 RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   const RestMesh rest(rest_mesh_of(patch, scene.folder).mesh);
-  // A prime, because few grids have rows of a multiple of it.
+  // A prime number, because few grids have a row length that is a multiple of 17.
   const int stride = rest.vertex_count() > counted_whole ? 17 : 1;
   const BendingConstraints built =
       constraints_of(scene.bending.model, {rest, pins_of(scene.pins, rest), whole * rest.size(), stride});
@@ -93,8 +93,8 @@ RunSize size_of(const Scene& scene, Mesh mesh) {
     smaller = size, size = size_by(scene, patches.back(), 1 / share);
     patches.pop_back();
   }
-  // The border of a patch half as long has twice the share of all counts. On the whole mesh its share is
-  // smaller than on the patch.
+  // Extrapolates the effect of the border: in a patch of half the length, the border has twice the share of
+  // all counts. In the whole mesh, the border has a smaller share than in the patch.
   if (smaller)
     for (double RunSize::*amount : {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints,
                                     &RunSize::pairs, &RunSize::list_bytes, &RunSize::numbers})

@@ -7,8 +7,8 @@
 
 namespace bendlab {
 
-/// Sizes of the rest mesh and of the bending constraints on it. For a large mesh they are estimates, good
-/// enough for forecasts.
+/// Sizes of the rest mesh and of the bending constraints on it. For a large mesh, these sizes are estimates,
+/// good enough for forecasts.
 struct RunSize {
   double vertices = 0, triangles = 0;
   double size = 0;         ///< m, diagonal of the rest box
@@ -20,9 +20,9 @@ struct RunSize {
   double numbers = 0;      ///< count of indices and rest values that the solver keeps for all constraints
 };
 
-/// Builds the mesh and the bending model's constraints if that is cheap. For a larger mesh it builds a patch
-/// with the same edge length, and a sample of the constraints. Results are cached. Returns nothing if the
-/// mesh cannot be made: the run itself says why.
+/// Builds the mesh and the bending model's constraints if the mesh is small. For a larger mesh, builds a
+/// patch with the same edge length, and a sample of the constraints. Results are cached. Returns nothing if
+/// the mesh cannot be made; computing the run then gives an error with the reason.
 std::optional<RunSize> size_of(const RunConfig& config);
 
 }  // namespace bendlab

@@ -30,8 +30,8 @@ Message piece_without_pin(const WarningInput& input) {
   }
   if (loose == 0) return std::nullopt;
   return fmt::format(
-      "pieces of the mesh without a pin will fall away: they have {} of its {} vertices (the first is vertex "
-      "{}). Pin each piece, or join the pieces ('bendlab mesh FILE' counts them)",
+      "pieces of the mesh without a pin will fall away: these pieces have {} of the {} vertices of the mesh "
+      "(the first is vertex {}). Pin each piece, or join the pieces ('bendlab mesh FILE' counts them)",
       loose, rest.vertex_count(), first);
 }
 
@@ -61,7 +61,7 @@ Message friction_without_obstacle(const WarningInput& input) {
 
 // ---- doubtful_effect
 
-// An effect checks its own settings in this scene (EffectKind::doubt). The largest doubt becomes the warning.
+// Effects check their own settings in this scene (EffectKind::doubt). The largest doubt becomes the warning.
 Message doubtful_effect(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const std::vector<double>& areas = input.scene.rest.areas();
@@ -105,8 +105,8 @@ Message starts_inside(const WarningInput& input) {
 
 namespace {
 
-// Edge lengths of cloth that is finer in places differ by a factor of some tens. A vertex that was moved by a
-// slip of the mouse or a wrong digit is much farther away.
+// If parts of a mesh are finer than others, edge lengths differ by a factor of at most some tens. A vertex
+// that was moved by a slip of the mouse or a wrong digit is much farther away.
 constexpr double far = 200;  // times the median edge
 
 }  // namespace
@@ -144,7 +144,7 @@ Message all_pinned(const WarningInput& input) {
   if (input.scene.pins.all.size() != vertices) return std::nullopt;
   return fmt::format(
       "all {} vertices are pinned, so nothing can move. /pins/vertices names places in the x-y plane of the "
-      "mesh's box: for a mesh that stands upright choose other places, or use /pins/indices. A smaller "
+      "mesh's box. If the mesh stands upright, choose other places, or use /pins/indices. A smaller "
       "/pins/ring or /pins/distance pins fewer vertices",
       vertices);
 }
@@ -154,16 +154,16 @@ Message all_pinned(const WarningInput& input) {
 namespace {
 
 // Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for 6
-// m. Clothes and curtains lie between these lengths; a mesh in mm or cm that is read in m does not. Gravity
-// weaker than the Earth's is a choice, and says nothing about units.
+// m. Clothes and curtains are longer than 1 cm and shorter than 6 m; a mesh in mm or cm that is read in m is
+// longer. Gravity weaker than the Earth's is a choice, and says nothing about units.
 constexpr double shortest_time = 0.03, longest_time = 0.8;      // s
 constexpr double weakest_gravity = 9, strongest_gravity = 100;  // m/s²; Earth's in cm/s² is 981
-// kg/m²: gauze has 0.02, a heavy carpet 4, a film of plastic of 1 µm 0.001.
+// kg/m²: gauze has 0.02, a heavy carpet 4, a plastic film 1 µm thick 0.001.
 constexpr double lightest = 0.001, heaviest = 10;
-// A membrane that its own weight stretches to twice its length is no cloth; rubber of 0.1 mm has 100 N/m.
+// A membrane that its own weight stretches to twice its length is no cloth; rubber 0.1 mm thick has 100 N/m.
 constexpr double most_strain = 1;
-// Bending length over extent. A sheet that could stand out by itself five times as far as it is long is a
-// board. Paper 0.2 m long has 0.5; a steel sheet 1 mm thick and 1 m long has 0.6.
+// Bending length divided by extent. A sheet that would sag only if it were five times as long is a board.
+// Paper 0.2 m long has a ratio of 0.5; a steel sheet 1 mm thick and 1 m long has 0.6.
 constexpr double longest_bending_length = 5;
 
 // The warning about a stiffness that does not fit the weight of the cloth. `load`: weight per area, N/m².
@@ -181,9 +181,9 @@ std::optional<std::string> odd_stiffness(const WarningInput& input, double load,
   const double rigidity = *bending.flexural_rigidity, length = std::cbrt(rigidity / load);
   if (!(length > longest_bending_length * extent)) return std::nullopt;
   return fmt::format(
-      "with a flexural rigidity of {:.3g} N m, gravity cannot bend this sheet: it would stand out by itself "
-      "over {:.2g} m, but is only {:.2g} m long. Is the rigidity in other units? A light cotton has 1e-5 N "
-      "m; 1 gf cm²/cm is 9.8e-5 N m",
+      "with a flexural rigidity of {:.3g} N m, gravity cannot bend this sheet: the sheet would sag only if "
+      "it were about {:.2g} m long, but it is only {:.2g} m long. Is the rigidity in other units? A light "
+      "cotton has 1e-5 N m; 1 gf cm²/cm is 9.8e-5 N m",
       rigidity, length, extent);
 }
 
@@ -211,7 +211,7 @@ Message units(const WarningInput& input) {
   if (time < shortest_time || time > longest_time)
     return fmt::format(
         "the cloth is {:.3g} m long ({}), and gravity is {:.3g} m/s²: is the mesh in other units? "
-        "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
+        "/mesh/scale converts lengths to metres (0.001 for millimetres, 0.01 for centimetres)",
         extent,
         time > longest_time ? "as long as a theatre's curtain, or longer" : "shorter than a fingertip", g);
   return odd_stiffness(input, density * g, extent);

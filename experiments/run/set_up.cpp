@@ -10,8 +10,8 @@
 namespace bendlab {
 namespace {
 
-// Lets `scene` start after the run before it, whose last pose is not known yet. The start pose of that run
-// stands in for it, because it has the same mesh.
+// Lets `scene` start after an earlier run whose last pose is not known yet. The start pose of the earlier run
+// replaces the last pose, because the two poses have the same mesh.
 void start_after_unknown(const RunConfig& config, BuiltScene& scene) {
   const std::optional<RunConfig> before = run_before(config);
   if (!before) return;

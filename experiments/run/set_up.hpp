@@ -1,4 +1,4 @@
-// Sets up a run without stepping it, so that an error before its first step is found here.
+// Sets up a run without stepping it, to find errors that would occur before the first step.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace bendlab {
 
-/// Builds scene, bending, effects, measures and method of a run, and of the runs before it (/initial/after).
-/// Returns the warnings that are known then. Throws the errors that the run would throw before its first
-/// step.
+/// Builds scene, bending, effects, measures and method of a run, and of the earlier runs after which it
+/// starts (/initial/after). Returns the warnings that are known before the first step. Throws the errors that
+/// the run would throw before its first step.
 std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& config);
 
-/// The settings that set_up() depends on, as text: runs with the same text are built alike.
+/// The settings that set_up() depends on, as text: set_up() does the same for runs with the same text.
 std::string text_of_set_up(const RunConfig& config);
 
 /// CPU seconds that set_up() is expected to take (forecast.hpp).

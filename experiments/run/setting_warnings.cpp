@@ -17,7 +17,7 @@ namespace bendlab {
 
 namespace {
 
-// Whether the settings have a value at `pointer`. null stands for the default, and chooses nothing.
+// Whether the settings have a value at `pointer`. null means the default, and does not count as a value.
 bool has_value(const Json& settings, const std::string& pointer) {
   const Json* const value = value_at(settings, pointer);
   return value != nullptr && !value->is_null();
@@ -36,7 +36,7 @@ bool is_chosen(const WarningInput& input, const std::string& pointer) {
 
 namespace {
 
-// Whether other runs follow from the settings of this run. They may read settings that this run does not
+// Whether the settings of this run also define other runs, which may read settings that this run does not
 // read.
 bool has_derived_runs(const RunConfig& config) {
   return config.scene().initial.after || config.settings().accuracy.compares();
@@ -53,7 +53,7 @@ Message inert_seed(const WarningInput& input) {
     return fmt::format(
         "{} changes nothing here: runs that differ only in this seed are equal, and their spread is 0. {}",
         pointer,
-        pointer == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter read it"
+        pointer == "/mesh/seed" ? "Only the /mesh/generator delaunay and /mesh/jitter read this seed"
                                 : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
   }
   return std::nullopt;
@@ -63,16 +63,16 @@ Message inert_seed(const WarningInput& input) {
 
 namespace {
 
-// Pointer of the choice that decides whether a setting is read; empty if there is no such choice.
+// Pointer of the setting whose value decides whether `field` is read; empty if no setting decides this.
 std::string_view decider_of(const Section& section, const Field& field) {
   if (!field.depends_on.empty()) return field.depends_on;
   if (section.pointer == "/solver" || section.pointer == "/material/strain") return "/solver/method";
   return section.pointer.starts_with("/bending/") ? "/bending/model" : "";
 }
 
-// The settings that the config gives, but that are unread because of the choice `decider`. Empty if that
-// choice is swept, because other runs may read the settings. The resolved config leaves out settings of
-// another method or model.
+// The settings that the config states, but that nothing reads because of the value of the setting `decider`.
+// Empty if `decider` is swept, because other runs may read the settings. (The resolved config has no settings
+// of methods and models that are not chosen.)
 std::vector<std::string> unread(const WarningInput& input, std::string_view decider) {
   std::vector<std::string> pointers;
   if (std::ranges::any_of(input.experiment.axes,
@@ -97,7 +97,7 @@ std::string choice_at(const WarningInput& input, const char* pointer) {
 
 }  // namespace
 
-// A stiffness that the chosen kind of stiffness does not read.
+// A warning about a stiffness that the chosen kind of stiffness does not read.
 Message inert_stiffness(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   for (const char* kind : {"/bending/stiffness", "/material/strain/stiffness"})
@@ -131,8 +131,8 @@ Message inert_setting(const WarningInput& input) {
 
 namespace {
 
-// Adds the settings of the object `stated` that are missing in `value`, which replaces that object. Leaves
-// out a setting whose resolved value equals its stated value all the same.
+// Adds the settings of the object `stated` that are missing in `value`, which replaces `stated`. Leaves out a
+// setting if its resolved value still equals its stated value.
 void add_replaced(const Json& resolved, const std::string& pointer, const Json& stated, const Json& value,
                   std::vector<std::string>& replaced) {
   for (const auto& [key, setting] : stated.items()) {
@@ -148,7 +148,7 @@ void add_replaced(const Json& resolved, const std::string& pointer, const Json& 
 
 }  // namespace
 
-// A swept object replaces the object of the config.
+// A warning about stated settings that get lost, because a swept object replaces the whole object.
 Message replaced_setting(const WarningInput& input) {
   std::vector<std::string> replaced, by;
   for (const auto& swept : input.config.point) {
@@ -159,7 +159,7 @@ Message replaced_setting(const WarningInput& input) {
     if (stated == nullptr || !stated->is_object() || !value.is_object() || of_no_model) continue;
     std::vector<std::string> in_object;
     add_replaced(input.config.resolved(), pointer, *stated, value, in_object);
-    // A setting in the object that another axis sweeps is meant to change.
+    // If another axis sweeps a setting of the object, this setting is meant to change.
     std::erase_if(in_object, [&](const std::string& place) {
       return std::ranges::any_of(input.config.point, [&](const auto& axis) {
         return axis.first != pointer && lies_within(axis.first, pointer) && lies_within(place, axis.first);

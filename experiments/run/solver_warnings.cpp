@@ -24,32 +24,33 @@ namespace bendlab {
 
 namespace {
 
-// Mean strain over the last second. A rigid membrane has no strain, woven cloth under its own weight less
-// than 0.01. Strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
-// without bending, keeps a strain of 0.056 with 1 substep × 10 iterations, 0.012 with 10 × 1, and 0.006 with
-// 4 × 10. A sheet of 20 cells pinned at two corners keeps 0.072 with 1 × 10 and 0.007 with 4 × 10. The
-// paper's sheet on 16 cells, which hangs like finer sheets, has 0.036.
+// Mean strain over the last second. A rigid membrane should have no strain, and woven cloth under its own
+// weight has less than 0.01. Strain from too few iterations makes the sheet too long. A sheet of 24 cells
+// pinned at its centre, without bending, keeps a strain of 0.056 with 1 substep × 10 iterations, 0.012 with
+// 10 × 1, and 0.006 with 4 × 10. A sheet of 20 cells pinned at two corners keeps a strain of 0.072 with 1
+// substep × 10 iterations, and 0.007 with 4 × 10. The paper's sheet on 16 cells has a strain of 0.036, and
+// hangs like finer sheets.
 constexpr double unconverged_strain = 0.05;
-// Stretch of the most stretched triangle. It shows necks at pins, which the mean does not show: a tube pinned
-// at its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
-// 1 it has 1.10.
+// Stretch of the most stretched triangle. Triangles at a pin may be stretched far while the mean strain is
+// small. A tube pinned at its rim (24 cells, strain form green) has a stretch of 1.36 with 1 substep × 10
+// iterations, and hangs too far by a tenth of its size. With 10 × 1, the stretch is 1.10.
 constexpr double unconverged_stretch = 1.25;
 
 std::string remedy_of_unconverged(const WarningInput& input) {
   const SolverSettings& solver = input.scene.input.settings;
-  std::string remedy =
-      solver.iterations > 1
-          ? fmt::format(
-                "{} × 1 project as often and leave less: on a sheet pinned at its centre 10 × 1 left a "
-                "triangle {:.3g} times as long as at rest where 1 × 10 left {:.3g}",
-                counted(solver.substeps * solver.iterations, "/solver/substep"), measured::centre_10x1,
-                measured::centre_1x10)
-          : fmt::format("Twice the /solver/substeps leave about {:.2g} times the strain",
-                        measured::twice_the_substeps);
+  std::string remedy = solver.iterations > 1
+                           ? fmt::format(
+                                 "{} × 1 iteration make as many projections and leave less stretch: on a "
+                                 "sheet pinned at its centre, a triangle was {:.3g} times as long as at rest "
+                                 "with 10 × 1, and {:.3g} times with 1 × 10",
+                                 counted(solver.substeps * solver.iterations, "/solver/substep"),
+                                 measured::centre_10x1, measured::centre_1x10)
+                           : fmt::format("Twice the /solver/substeps leave about {:.2g} times the strain",
+                                         measured::twice_the_substeps);
   const bool tethered = std::ranges::any_of(
       input.scene.effects, [](const Effect& effect) { return effect.kind().helps_projection; });
   if (!tethered && !input.scene.pins.all.empty())
-    remedy += fmt::format(". The effect tethers holds what hangs from pins: 1 × 10 then left {:.3g}",
+    remedy += fmt::format(". With the effect tethers and 1 × 10, the triangle was {:.3g} times as long",
                           measured::centre_1x10_with_tethers);
   return remedy;
 }
@@ -64,7 +65,7 @@ Message unconverged(const WarningInput& input) {
     const auto metric = input.summary->find(name);
     return metric == input.summary->end() ? 0.0 : metric->second;
   };
-  // A run of less than a second may end when the cloth begins to stretch, which medians do not show.
+  // In a run of less than a second, cloth may begin to stretch at the end, which medians do not show.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
   if (!rigid || !input.scene.input.method.kind().projects ||
@@ -82,9 +83,9 @@ Message unconverged(const WarningInput& input) {
 
 namespace {
 
-// excess_stretch() has the measurements. With coarse levels and 8 substeps × 1 iteration, a softening of 17
-// became 6.6, 64 became 11, 165 became 16 and 637 became 29. The formula 1 + 1.6 (C²/n)^0.44 fits these
-// values within 3 %.
+// excess_stretch() has the measurements without coarse levels. With 8 substeps × 1 iteration, coarse levels
+// reduced the softening from 17 to 6.6, from 64 to 11, from 165 to 16, and from 637 to 29. The formula 1 +
+// 1.6 (C²/n)^0.44 fits these values within 3 %.
 constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
 double softening_by(double excess, bool levels) {
@@ -98,13 +99,13 @@ bool has_tethers(const BuiltScene& scene) {
                              [](const Effect& effect) { return effect.kind().helps_projection; });
 }
 
-// Cloth in free fall loads no membrane.
+// Whether pins or obstacles hold the cloth. In free fall, no load stretches the membrane.
 bool is_held(const BuiltScene& scene) {
   return !scene.pins.all.empty() || has_obstacle(scene);
 }
 
-// Whether the membrane stretches, but its stiffness was not measured: a run with coarse levels does not
-// measure it.
+// Whether the membrane stretches, but its stiffness was not measured (in a run with coarse levels, the
+// stiffness is not measured).
 bool stretches_unmeasured(const std::map<std::string, double>& summary) {
   constexpr double stretched = 0.01;  // mean strain, as for soft_solver
   const auto strain = summary.find("mean_strain");
@@ -132,12 +133,11 @@ Message membrane_courant(const WarningInput& input) {
   return WarningText(
       fmt::format("with {} in a substep, during which a wave of stretch crosses {:.2g} cells (the membrane's "
                   "Courant number), the membrane stretches about {:.2g} times as far as stated. About {} "
-                  "/solver/substeps reduce that to 1.1 times{}",
+                  "/solver/substeps reduce this factor to 1.1{}",
                   counted(projections_per_substep(input.scene.input), "projection"), courant, softening,
                   static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
                   reach && !levels && softening_by(excess, true) < 0.5 * softening
-                      ? fmt::format(", /solver/levels: 12 reduces it to about {:.2g} times",
-                                    softening_by(excess, true))
+                      ? fmt::format(", and /solver/levels: 12 to about {:.2g}", softening_by(excess, true))
                       : ""),
       softening, fmt::format("{:.2g} times", softening));
 }
@@ -150,11 +150,11 @@ Message tethers_for_membrane(const WarningInput& input) {
   if (!(excess > 0) || !has_tethers(scene)) return std::nullopt;
   const SolverSettings& solver = scene.input.settings;
   return WarningText(
-      fmt::format("tethers carry the load that the membrane with its stated {:.3g} N/m should carry, so the "
-                  "cloth does not stretch away from its pins. Without tethers, the membrane would stretch "
-                  "about {:.2g} times as far as stated, with {} in a substep. With {} /solver/substeps the "
-                  "membrane holds by itself, and tethers do nothing; \"method\": \"quasi_newton\", "
-                  "\"membrane\": \"stated\" in /solver keeps the stated membrane without tethers",
+      fmt::format("tethers carry the load that the membrane, with its stated {:.3g} N/m, should carry. So "
+                  "the cloth hangs from its pins without the stated stretch. Without tethers, the membrane "
+                  "would stretch about {:.2g} times as far as stated, with {} in a substep. With {} "
+                  "/solver/substeps the membrane carries the load, and tethers do nothing. \"method\": "
+                  "\"quasi_newton\", \"membrane\": \"stated\" in /solver need no tethers",
                   1 / scene.input.strain_stiffness.compliance, 1 + excess,
                   counted(projections_per_substep(input.scene.input), "projection"),
                   static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
@@ -171,16 +171,17 @@ Message vbd_reach(const WarningInput& input) {
   if (!(scene.settings.iterations < needed)) return std::nullopt;
   return WarningText(
       fmt::format("a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): {} "
-                  "then needs about {:.2g} C² = {:.2g} iterations to follow the motion, and has {}. With "
-                  "fewer the cloth lags behind. quasi_newton and newton need few",
+                  "then needs about {:.2g} C² = {:.2g} iterations to follow the motion, but has {}. With "
+                  "fewer iterations the cloth is too slow. The methods quasi_newton and newton need few",
                   courant, scene.method.name(), share, needed, scene.settings.iterations),
       needed / scene.settings.iterations, fmt::format("{:.2g} iterations needed", needed));
 }
 
 // ---- k_overshoot
 
-// With k from 0.01 to 1, dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod
-// leave the strain of a sheet as it is, or lower it (20 cells, pinned at two corners, 4 × 10 and 1 × 10).
+// With k from 0.01 to 1, the models dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings),
+// adaptive and lod do not increase the strain of a sheet (20 cells, pinned at two corners, 4 × 10 and 1 ×
+// 10).
 Message k_overshoot(const WarningInput& input) {
   const Bending& bending = input.config.scene().bending;
   if (bending.stiffness != Stiffness::k && bending.stiffness != Stiffness::k_per_step) return std::nullopt;
@@ -198,14 +199,14 @@ Message k_overshoot(const WarningInput& input) {
 
 // ---- single_precision
 
-// Measurements in single precision, of a sheet on tethers and of a sheet on a plane: see precision.cpp.
+// Based on measurements in single precision: a sheet on tethers, and a sheet on a plane. See precision.cpp.
 Message single_precision(const WarningInput& input) {
   if (input.config.scene().solver.precision != ChosenPrecision::single_precision) return std::nullopt;
   const RoundingStrain strain = rounding_strain(input.scene);
   if (!strain.single_suffices())
     return fmt::format(
-        "the membrane is so stiff that its weight strains it by only {:.2g}, but rounding a position in "
-        "single precision strains it by {:.2g}. Set /solver/precision to auto, which chooses double here",
+        "the membrane is so stiff that the cloth's weight strains it by only {:.2g}, but rounding a position "
+        "in single precision strains it by {:.2g}. Set /solver/precision to auto, which chooses double here",
         strain.of_weight, strain.rounded);
   const RoundingSpeed speed = rounding_speed(input.scene);
   if (speed.single_suffices()) return std::nullopt;
@@ -241,8 +242,8 @@ Message softened_membrane(const WarningInput& input) {
   const Method& method = input.scene.input.method;
   return WarningText(
       fmt::format("/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as "
-                  "stated ({:.3g} N/m), which moves the cloth at rest by at most {:.2g} of its size. Set it "
-                  "to \"stated\" to keep the stiffness",
+                  "stated ({:.3g} N/m), which moves the cloth at rest by at most {:.2g} of its size. Set "
+                  "/solver/membrane to \"stated\" to keep the stated stiffness",
                   softness->second, 1 / (softness->second * input.scene.input.strain_stiffness.compliance),
                   method.kind().membrane_error(method.settings())),
       softness->second, fmt::format("{:.3g} times as soft", softness->second));
@@ -252,19 +253,18 @@ Message softened_membrane(const WarningInput& input) {
 
 namespace {
 
-// Sheets of 16 cells, under gravity, hinges, pinned at two corners or at the top, Y = 10³ to 10⁷ N/m, 1 to
-// 100 iterations,
-// 2 s: how far they are from the converged motion (RMS over vertices, mean over time), in sizes, by what
-// their steps leave in the mean over time. The median would not show it: newton leaves nothing once the cloth
-// rests.
+// How far sheets lag behind the converged motion, in sizes of the sheet (RMS over vertices, mean over time),
+// depending on the mean step_residual over time. The median would hide the lag, because newton leaves no
+// residual once the cloth rests. Measured for 2 s, on sheets of 16 cells with hinges, under gravity, pinned
+// at two corners or at the top, with a membrane stiffness of 10³ to 10⁷ N/m and 1 to 100 iterations.
 //
 //   step_residual   below 0.5     0.5 to 2      2 to 5        5 to 20       20 to 100   more
 //   newton          0-0.0003      0.001-0.046   none          0.025-0.051   0.03-0.07   0.05-0.49
 //   quasi_newton    0.001-0.006   0.004-0.044   0.012-0.090   0.026-0.21    0.06-0.48   0.11-0.54
 //   vbd             none          0.030         0.034-0.12    0.19-0.50     0.51        none
 //
-// Where cloth touches something, friction may move it, with a share of its weight. quasi_newton slid 0.05 to
-// 0.11 m instead of 0.02 at 0.3 to 1.1. So methods say what is too much (MethodKind::residual_of_lag).
+// On obstacles smaller residuals matter: at a step_residual of 0.3 to 1.1, cloth with quasi_newton slid 0.05
+// to 0.11 m instead of 0.02 m. The methods state which residual is too large (MethodKind::residual_of_lag).
 double most_residual(const WarningInput& input) {
   const MethodKind& method = input.scene.input.method.kind();
   return has_obstacle(input.scene) ? method.residual_of_lag_on_obstacle : method.residual_of_lag;
@@ -273,7 +273,7 @@ double most_residual(const WarningInput& input) {
 std::string remedy_of_lagging(const WarningInput& input) {
   const Method& method = input.scene.input.method;
   if (method.kind().remedy_of_lag == nullptr)
-    return "More /solver/iterations help, and quasi_newton needs fewer";
+    return "More /solver/iterations help, and the method quasi_newton needs fewer iterations";
   return method.kind().remedy_of_lag(method.settings(), {.touches = has_obstacle(input.scene),
                                                          .has_strain = input.scene.input.strain.size() > 0});
 }
@@ -286,16 +286,16 @@ Message lagging(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   return WarningText(
       fmt::format(
-          "the forces that steps leave unbalanced are {:.2g} times those of the effects (of inertia where "
-          "there are no effects): {} × {} do not converge, and the cloth lags behind{}. {}",
+          "the forces that steps leave unbalanced are {:.2g} times the forces of the effects (without "
+          "effects: of inertia): {} × {} do not converge, and the cloth lags behind the exact motion{}. {}",
           found->second, counted(scene.settings.substeps, "substep"),
           counted(scene.settings.iterations, "iteration"),
           found->second > scene.method.kind().residual_of_lag
-              ? fmt::format(". In tests it lagged by {:.2g} to {:.2g} % of its size where they were 2 to 5 "
-                            "times, and by {:.2g} to {:.2g} % at 5 to 20",
+              ? fmt::format(". In tests the cloth lagged by {:.2g} to {:.2g} % of its size if the unbalanced "
+                            "forces were 2 to 5 times as large, and by {:.2g} to {:.2g} % if 5 to 20 times",
                             measured::lag_of_2_to_5_least, measured::lag_of_2_to_5_most,
                             measured::lag_of_5_to_20_least, measured::lag_of_5_to_20_most)
-              : ". Cloth that friction moves then goes a part of its way, or slides too far",
+              : ". Cloth that friction moves then stops too early, or slides too far",
           remedy_of_lagging(input)),
       found->second, fmt::format("{:.2g} times", found->second));
 }
@@ -310,15 +310,13 @@ Message no_equilibrium(const WarningInput& input) {
       input.scene.effects, [](const Effect& effect) { return effect.kind().force_follows_pose; });
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
-      : blows               ? "The wind's force follows the pose, which Newton's method does not know: let "
-                              "the cloth come to rest with the method newton and viscous_drag"
-                            : "A longer /duration allows more steps";
-  return WarningText(
-      fmt::format(
-          "no equilibrium was found: the unbalanced forces are {:.2g} times the loads in the end. The "
-          "numbers of this run are those of its last steps. {}",
-          found->second, remedy),
-      found->second, fmt::format("{:.2g} times", found->second));
+      : blows ? "The force of the wind changes with the pose, and Newton's method ignores this change: let "
+                "the cloth come to rest with the method newton and viscous_drag"
+              : "A longer /duration allows more steps";
+  return WarningText(fmt::format("no equilibrium was found: in the end, the unbalanced forces are {:.2g} "
+                                 "times the loads. The metrics of this run describe its last steps. {}",
+                                 found->second, remedy),
+                     found->second, fmt::format("{:.2g} times", found->second));
 }
 
 }  // namespace bendlab

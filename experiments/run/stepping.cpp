@@ -54,7 +54,7 @@ class Calm {
   double speed_, next_look_ = 0, since_ = 0;
 };
 
-// CPU time that this thread and its helpers spend in the steps.
+// CPU time that this thread and its helper threads spend in the steps.
 class StepClock {
  public:
   explicit StepClock(Simulation& simulation) : simulation_(simulation) {}
@@ -75,8 +75,8 @@ class StepClock {
 
 std::string stop_message(double time, double duration) {
   return fmt::format(
-      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; run the same command again to go on "
-      "from there",
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; run the same command again to "
+      "continue the run",
       time, duration);
 }
 
@@ -109,7 +109,7 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
   RunClock& run_clock = run.clock;
   const double duration = config.scene().duration, dt = config.scene().solver.dt;
   const double frame_interval = 1 / config.settings().output.frames_per_second;
-  // In steps: a step whose end differs from a frame's time only by rounding records the frame.
+  // As a share of a step: a step records a frame even if the step ends by rounding before the frame's time.
   constexpr double rounding = 1e-6;
   const std::int64_t steps = step_count(config.scene());
 
@@ -156,8 +156,8 @@ Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunCon
   for (std::int64_t step = done + 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     const double time = simulation.time();
-    // A method that seeks an equilibrium has no velocities, and says itself whether it has found the
-    // equilibrium.
+    // A method that seeks an equilibrium has no velocities. Such a method itself reports whether the
+    // equilibrium is found.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
     const bool last = step == steps || settled;

@@ -16,7 +16,7 @@
 
 namespace bendlab {
 
-/// A checkpoint does not fit the run that should go on from it.
+/// Thrown if a checkpoint does not fit the run that should continue from this checkpoint.
 class Unresumable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -27,9 +27,9 @@ class RunClock {
   RunClock();
   double wall_s() const;
   double thread_cpu_s() const;  ///< CPU time of the thread that steps
-  /// CPU time of the thread that writes; `now` is its time in this process.
+  /// CPU time of the thread that writes frames; `now` is the thread's time in this process.
   double recording_s(double now) const { return earlier_recording_s_ + now; }
-  /// Simulated times at which the run went on from a checkpoint, s.
+  /// Simulated times at which the run continued from a checkpoint, s.
   const std::vector<double>& went_on_at() const { return went_on_at_; }
   void go_on(double time) { went_on_at_.push_back(time); }
   void archive(Archive& state, double recording_now);
@@ -58,9 +58,10 @@ struct RunAtWork {
   RunClock& clock;
 };
 
-/// Records the first pose, then /output/frames_per_second. Measures and plausibility checks see every step.
-/// `saved`: the checkpoint to go on from, or null; the frames up to it are in the writer's file. Throws
-/// RunFileError if frames can't be written, Unresumable if `saved` does not fit the run.
+/// Records the first pose, then /output/frames_per_second frames per second. Measures and plausibility checks
+/// are called after every step. `saved`: the checkpoint from which the run continues, or null; its frames are
+/// in the writer's file. Throws RunFileError if frames can't be written, Unresumable if `saved` does not fit
+/// the run.
 Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved);
 

@@ -14,15 +14,16 @@ Message strip_out_of_range(const WarningInput& input) {
   return unreadable_strip(input.config, input.scene);
 }
 
-// An unreadable strip has a warning of its own, strip_out_of_range.
+// A strip whose stiffness cannot be read gets another warning, strip_out_of_range.
 Message doubtful_stiffness(const WarningInput& input) {
   if (unreadable_strip(input.config, input.scene)) return std::nullopt;
   return doubtful_reading(input.config, input.scene, *input.summary);
 }
 
-// If all diagonals point the same way, hinges resist bending across the diagonals more than along them, and
-// no weights of the hinges change that. On grids with the diagonal "same" the sheet has 0.47 to 2.0 times the
-// stated rigidity, with alternating diagonals 0.99 to 1.02 times, and on Delaunay meshes 0.98 to 1.01 times.
+// If all diagonals point the same way, hinges resist bending across the diagonals more than along them,
+// whatever the weights of the hinges are. On grids with the diagonal "same" the sheet has 0.47 to 2.0 times
+// the stated rigidity, with alternating diagonals 0.99 to 1.02 times, and on Delaunay meshes 0.98 to 1.01
+// times.
 Message uneven_stiffness(const WarningInput& input) {
   if (!is_chosen(input, "/bending/flexural_rigidity")) return std::nullopt;
   constexpr double even = 0.45;  // between 0.8 and 1.25 times the stated rigidity
@@ -38,12 +39,12 @@ Message uneven_stiffness(const WarningInput& input) {
       fmt::format(
           "the sheet's flexural rigidity depends on the direction of bending: it varies by {:.2g} times the "
           "stated rigidity{}, because all triangles point the same way. \"generator\": \"equilateral\" or "
-          "\"diagonal\": \"alternating\" in /mesh reduces this to 0.01 to 0.13 times",
+          "\"diagonal\": \"alternating\" in /mesh reduces this variation to 0.01 to 0.13 times",
           *spread, least && most ? fmt::format(" (from {:.2g} to {:.2g} times)", *least, *most) : ""),
       *spread, fmt::format("{:.2g} times the stated rigidity", *spread));
 }
 
-// With pbd, the excess length of the springs is lowered instead (weaker_push).
+// This warning is not for pbd, because pbd lowers the excess length of the springs instead (see weaker_push).
 Message pushed_membrane(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   if (scene.method.kind().projects || scene.strain.size() == 0 ||

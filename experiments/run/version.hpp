@@ -1,5 +1,5 @@
-// The sources, compiler and flags of this program. Every run records them; the source hash is part of a run's
-// id.
+// The sources, compiler and flags of this program. Every run records this information; the source hash is
+// part of a run's id.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct BuildInfo {
 
 const BuildInfo& build_info();
 
-/// Name of the file beside the runs that holds `changes`. If the patch is too long to be kept, the name says
-/// so.
+/// Name of the file beside the runs that contains `changes`. If the patch is too long to be stored, the name
+/// does not end in `.patch.gz`.
 std::string changes_file_name();
 
 /// One line for `bendlab --version`.

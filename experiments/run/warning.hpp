@@ -1,5 +1,5 @@
-// A warning of a run, which its file keeps and the program prints, and the input from which warnings are
-// found.
+// A warning about a run, which is written to the run's file and printed, and the input of the functions that
+// give warnings.
 #pragma once
 
 #include <map>
@@ -22,7 +22,7 @@ struct Warning {
   std::string measured{};  ///< the value that gives the severity, "48 %"; empty if there is none
 };
 
-/// The text of a warning. A text alone has no severity.
+/// The text of a warning. The severity is optional.
 struct WarningText {
   WarningText(std::string text) : message(std::move(text)) {}
   WarningText(std::string text, double how_bad, std::string number)
@@ -42,8 +42,8 @@ struct WarningInput {
   RunStatus status = RunStatus::running;                   ///< verdict of the run
 };
 
-/// [{code, message}, …] and back, with severity and measured if a warning has them. Reading leaves out
-/// entries of another form.
+/// Writes warnings as [{code, message}, …], with severity and measured if a warning has them, and reads this
+/// JSON. Reading skips entries of any other form.
 Json to_json(const std::vector<Warning>& warnings);
 std::vector<Warning> warnings_of(const Json& json);
 

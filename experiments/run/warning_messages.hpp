@@ -1,5 +1,5 @@
-// One function for each kind of warning, which returns its text, or nothing. warnings.cpp lists them in
-// order.
+// One function for each kind of warning. The function returns the text of the warning, or nothing.
+// warnings.cpp lists these functions in order.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace bendlab {
 
 using Message = std::optional<WarningText>;
 
-/// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
+/// Whether the config states or sweeps the setting `pointer`, or sweeps an object that contains the setting.
 bool is_chosen(const WarningInput& input, const std::string& pointer);
 
 // Warnings about the config, in setting_warnings.cpp.

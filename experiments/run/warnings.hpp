@@ -1,5 +1,5 @@
-// Warnings about a run that is not wrong, but may not be what was meant. A warning has a value and a remedy.
-// A new warning is a function and a row in warnings.cpp.
+// Warnings about a run that has no error, but may not be what the user meant. A warning states a value and a
+// remedy. To add a warning, write a function and a row in warnings.cpp.
 #pragma once
 
 #include <optional>

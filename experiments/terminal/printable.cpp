@@ -31,7 +31,7 @@ Character first_of(std::string_view text) {
     if ((byte(i) & 0xC0) != 0x80) return {};
     code = (code << 6) | (byte(i) & 0x3Fu);
   }
-  // The smallest code of each length in bytes: a longer encoding of a smaller code is invalid.
+  // The smallest code that may have each length in bytes. A smaller code must have a shorter encoding.
   constexpr std::array<std::uint32_t, 5> least = {0, 0, 0x80, 0x800, 0x10000};
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
   return code < least[bytes] || code > 0x10FFFF || surrogate ? Character{} : Character{code, bytes};
@@ -47,7 +47,7 @@ bool is_harmless(std::uint32_t code, Lines lines) {
   return code >= 0x20 && !(code >= 0x7F && code <= 0x9F) && !turns_direction(code);
 }
 
-// If the text begins with a colour sequence of coloured(), the length of this sequence, else 0.
+// The length of the colour sequence of coloured() at the start of the text; 0 if there is none.
 std::size_t colour_length(std::string_view text) {
   for (const std::string_view sequence : {"\x1b[0m", "\x1b[2m", "\x1b[31m", "\x1b[32m", "\x1b[33m"})
     if (text.starts_with(sequence)) return sequence.size();

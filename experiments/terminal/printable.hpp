@@ -12,9 +12,9 @@ namespace bendlab {
 
 enum class Lines { keep, escape };
 
-/// The text with unsafe characters written as `\u001b`, which JSON reads as the same character: control
-/// characters (C0, C1, delete) and characters that turn the direction of text. A byte that is no UTF-8
-/// becomes `\ufffd`. `Lines::keep` keeps new lines and tabs.
+/// The text with unsafe characters escaped as in JSON, for example `\u001b`. Unsafe are control characters
+/// (C0, C1, delete) and characters that change the direction of text. A byte that is no UTF-8 becomes
+/// `\ufffd`. `Lines::keep` keeps new lines and tabs.
 std::string printable(std::string_view text, Lines lines = Lines::keep);
 
 enum class Colour { green, red, yellow, dim };

@@ -12,7 +12,7 @@ namespace bendlab {
 
 class Progress {
  public:
-  /// `costs`: the expected work of each run, in any unit. Silent unless stderr is a terminal.
+  /// `costs`: the expected work of each run, in any unit. Shows nothing if stderr is not a terminal.
   explicit Progress(std::vector<double> costs);
   ~Progress();  ///< removes the bar
   Progress(const Progress&) = delete;
@@ -21,7 +21,7 @@ class Progress {
   /// Run `index` has simulated `done_s` of `total_s` seconds. Thread-safe.
   void update(std::size_t index, double done_s, double total_s);
 
-  /// Run `index` is over; `computed` is false if it was complete before and took no time.
+  /// Run `index` is over; `computed` is false if the run was already complete and so took no time.
   void finish(std::size_t index, bool computed);
 
   /// Prints a line on stderr, above the bar if there is a bar.

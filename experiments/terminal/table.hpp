@@ -10,7 +10,7 @@ class Table {
  public:
   explicit Table(std::vector<std::string> headings) : headings_(std::move(headings)) {}
 
-  /// One cell per heading, shown on one line.
+  /// `cells` has one cell per heading. The row is printed on one line.
   void add_row(std::vector<std::string> cells);
 
   /// Headings and rows, one line each. Columns of numbers are aligned right, other columns left.

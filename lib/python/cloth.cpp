@@ -29,7 +29,7 @@ Scene scene_of(const std::string& text, const std::string& folder, std::optional
   return scene;
 }
 
-// A read-only view of numbers that `owner` keeps alive.
+// A read-only view of `numbers`, which belong to `owner`. The view keeps `owner` alive.
 template <class Matrix>
 py::array view_of(const Matrix& numbers, const std::shared_ptr<const void>& owner) {
   const py::capsule base(new std::shared_ptr<const void>(owner),
@@ -40,12 +40,12 @@ py::array view_of(const Matrix& numbers, const std::shared_ptr<const void>& owne
   return view;
 }
 
-// Writes into the memory of `numbers`, because there may be views of it.
+// Writes into the memory of `numbers`, because there may be views of this memory.
 void fill(Positions& numbers, const Positions& now) {
   std::copy_n(now.data(), now.size(), numbers.data());
 }
 
-// A copy of the input without its constraints; the caller puts a list back.
+// A copy of the input without constraints; the caller then adds one kind of constraint.
 SimulationInput bare(const SimulationInput& input) {
   SimulationInput part = input;
   part.strain = {}, part.edges = {}, part.distance = {}, part.elements = {}, part.own = {};
@@ -95,7 +95,7 @@ struct PythonCloth::Arrays {
   Eigen::VectorXi pinned;
 };
 
-// Marks the cloth as in use. A second thread gets an error instead of a race.
+// Marks the cloth as in use, so that a second thread gets an error instead of a race.
 class PythonCloth::Use {
  public:
   explicit Use(PythonCloth& cloth) : in_use_(cloth.in_use_) {
@@ -148,7 +148,7 @@ void PythonCloth::step_once() {
     for (std::size_t i = 0; i < hand_->vertices.size(); ++i)
       hand_->from.row(static_cast<Eigen::Index>(i)) = now.row(hand_->vertices[i]);
     hand_->start = time();
-    // Steps are counted in the scene's dt.
+    // A step simulates dt of the scene.
     hand_->duration = cloth_.scene().input.settings.dt;
   }
   if (!has_python_parts_) return cloth_.step();
@@ -170,7 +170,7 @@ py::array PythonCloth::pins() {
     throw std::invalid_argument(std::string(method.name) +
                                 " leaves pinned vertices where they are: choose another method to move them");
   if (!hand_) {
-    // From here on the scene has one more effect: a new simulation takes over the state.
+    // The scene gets another effect, which needs a new simulation with the same state.
     hand_ = std::make_shared<HandMotion>();
     hand_->vertices = cloth_.scene().pins.all;
     const auto count = static_cast<Eigen::Index>(hand_->vertices.size());

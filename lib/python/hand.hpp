@@ -8,14 +8,14 @@
 
 namespace bendlab {
 
-/// Where pinned vertices are at the start and at the end of a step; they move evenly between.
+/// Positions of pinned vertices at the start and end of a step; during the step they move evenly.
 struct HandMotion {
   std::vector<int> vertices;
   Positions from, to;              ///< #vertices by 3, m
   double start = 0, duration = 1;  ///< s, of the step
 };
 
-/// An effect that moves pinned vertices along a HandMotion; it cannot be part of a config.
+/// An effect that moves pinned vertices by a HandMotion. A config cannot have this effect.
 struct Hand {
   std::shared_ptr<const HandMotion> motion;
   static const EffectKind kind;

@@ -93,7 +93,7 @@ std::vector<Table> parts() {
   return tables;
 }
 
-// The arrays have to be those that scene.py checked: (V, 3) and (T, 3).
+// scene.py has checked the arrays: (V, 3) and (T, 3).
 std::optional<TriangleMesh> mesh_of(const py::object& vertices, const py::object& triangles) {
   if (vertices.is_none()) return std::nullopt;
   using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
@@ -157,12 +157,12 @@ PYBIND11_MODULE(_core, module) {
       .def("step", &PythonCloth::step, "One time step, Solver.dt.")
       .def("run", &PythonCloth::run, "seconds"_a, "progress"_a = py::none())
       .def_property_readonly("time", &PythonCloth::time, "Simulated time, s.")
-      .def_property_readonly("settled", &PythonCloth::settled,
-                             "Whether further steps would change nothing; always False for methods that "
-                             "move on in time.")
+      .def_property_readonly(
+          "settled", &PythonCloth::settled,
+          "Whether further steps would change nothing; always False for methods that simulate motion.")
       .def_property_readonly("positions", &PythonCloth::positions,
-                             "(V, 3), m. A read-only view. Its numbers change when positions are read again: "
-                             "copy() keeps them.")
+                             "(V, 3), m. A read-only view. The numbers change when positions are read again: "
+                             "use copy() to store the numbers.")
       .def_property_readonly("velocities", &PythonCloth::velocities, "(V, 3), m/s. A view like positions.")
       .def_property_readonly("triangles", &PythonCloth::triangles, "(T, 3), vertices of each triangle.")
       .def_property_readonly("masses", &PythonCloth::masses, "(V), kg. Pinned vertices have a mass, too.")
@@ -171,8 +171,8 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("warnings", &PythonCloth::warnings,
                              "(code, text) of each warning about the scene, as `bendlab run` prints it.")
       .def("energies", &PythonCloth::energies,
-           "J, by kind: kinetic, weight (0 at the start), strain, and each kind of bending constraint. A "
-           "stiffness that is stated as k has no energy.")
+           "Energies, J: kinetic, weight (0 at the start), strain, and each kind of bending constraint. "
+           "Constraints whose stiffness is given as k have no energy.")
       .def("forces", &PythonCloth::forces, "(V, 3), N, by kind of constraint; 0 at pinned vertices.");
   add_own_parts(module);
   add_runs(module);

@@ -24,20 +24,20 @@ namespace {
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<int, py::array::c_style | py::array::forcecast>;
 
-// A Python class as the program knows it. It is never freed, because scenes refer to it.
+// What the program knows about a Python class. An OwnPart is never freed, because scenes refer to it.
 struct OwnPart {
   py::object type;  // the class
   std::string name, label, summary, source, code;
-  std::vector<std::string> texts;  // to which the fields refer
+  std::vector<std::string> texts;  // the fields refer to these texts
   std::vector<Field> fields;
 };
 
-// The settings of such a class: values by name.
+// The settings of an object of a Python class: values by name.
 struct OwnSettings {
   const OwnPart* part = nullptr;
   std::map<std::string, Value, std::less<>> values;
 
-  // Makes the Python object. The caller has to hold the GIL.
+  // Makes the Python object. The caller must hold the GIL.
   py::object made() const {
     py::dict given;
     for (const auto& [name, value] : values) given[py::str(name)] = python_of(value);
@@ -186,7 +186,7 @@ void register_model(const py::object& type, const py::dict& about, const py::lis
 
 // ---- effects
 
-// The Python object of an effect, and where State's arrays hold the vertices.
+// The Python object of an effect, and the order of the vertices in State's arrays.
 struct ActingEffect {
   py::object object;
   std::vector<std::size_t> slot;  // #V: index of each vertex in State's arrays

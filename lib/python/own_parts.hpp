@@ -5,7 +5,7 @@
 
 namespace bendlab {
 
-/// Adds the functions that register them to the extension module.
+/// Adds functions to the extension module that register such models, effects and measures.
 void add_own_parts(pybind11::module_& module);
 
 }  // namespace bendlab

@@ -1,5 +1,5 @@
-// Counts who reads the registries of models, effects and measures without the GIL. Meanwhile no class may be
-// added.
+// Counts the threads that read the registries of models, effects and measures without the GIL. While a thread
+// reads, no class may be added.
 #pragma once
 
 #include <atomic>
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// A reader, from before it gives up the GIL until it has the GIL again.
+/// Counts its thread as a reader. Construct it before giving up the GIL, destroy it with the GIL.
 class RegistryReader {
  public:
   RegistryReader() { ++count(); }
@@ -15,12 +15,12 @@ class RegistryReader {
   RegistryReader(const RegistryReader&) = delete;
   RegistryReader& operator=(const RegistryReader&) = delete;
 
-  /// Throws std::runtime_error if there is a reader. The caller has to hold the GIL.
+  /// Throws std::runtime_error if there is a reader. The caller must hold the GIL.
   static void require_none() {
     if (count() > 0)
       throw std::runtime_error(
-          "a class cannot be defined while run() computes or a scene is built: define it before, or "
-          "afterwards");
+          "a class cannot be defined while run() computes or a scene is built: define the class earlier or "
+          "later");
   }
 
  private:

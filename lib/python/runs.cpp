@@ -39,7 +39,7 @@ py::dict row_of(const CampaignRun& run) {
   return row;
 }
 
-// Runs the campaign on another thread, so that Python sees Ctrl-C.
+// Computes the runs on another thread, so that Python can handle Ctrl-C.
 class Watched {
  public:
   Watched(std::vector<CampaignRun>& runs, CampaignOptions options, const py::object& progress) {
@@ -85,7 +85,7 @@ class Watched {
   bool done_ = false;
 };
 
-// `source`: the config's file, from which relative paths start; empty: the working directory.
+// `source`: the config's file, where relative paths start; empty: they start at the working directory.
 py::list run(const std::string& config, const std::string& source, const std::string& out, int jobs,
              bool force, const py::object& progress) {
   const RegistryReader reader;

@@ -1,4 +1,4 @@
-// Experiments from Python: what `bendlab run` does.
+// Computes experiments from Python, as `bendlab run` does.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,4 @@
-"""Writes bendlab/__init__.pyi for editors: the classes exist only after the tables of settings are read.
+"""Writes bendlab/__init__.pyi for editors, because the classes of settings are made only when Python runs.
 
 usage: stubs.py FILE
 """

@@ -185,7 +185,7 @@ class LoadTest(unittest.TestCase):
         write_run(folder / "a/run.vtkhdf", config_of("fig1", duration=1))
         experiment = sweeps.load_experiment(self.folder, "paper/fig1")
         self.assertEqual(len(experiment.runs), 1)
-        self.assertEqual(experiment.missing_text, "these are of a trial with --set /duration=1")
+        self.assertEqual(experiment.missing_text, "only runs of a trial with --set /duration=1")
 
     def test_all_in_a_sweep_stands_for_any_list_of_models(self):
         self.assertTrue(sweeps._same_axes({"/bending/model": "all"}, {"/bending/model": ["none"]}))
@@ -441,8 +441,8 @@ class FigureTest(unittest.TestCase):
         runs = [run("adaptive", "complete", 1.1, 0), run("crossover", "complete", 1.5, 2),
                 run("lod", "diverged", 9, 50)]
         title = scenes.title({"flag": SimpleNamespace(runs=runs)})
-        self.assertIn("2 of 3 runs complete", title)
-        self.assertIn("Last frame: 1 have a degenerate triangle, 1 reach into an obstacle", title)
+        self.assertIn("2 of 3 runs are complete", title)
+        self.assertIn("Last frame: degenerate triangles in 1 runs, cloth inside obstacles in 1 runs", title)
         self.assertIn("1.50 (flag, crossover)", title)
 
     def test_the_title_of_the_hanging_sheets_counts_models_with_small_strain(self):
@@ -1081,7 +1081,7 @@ class AccuracyTest(unittest.TestCase):
         self.assertEqual(measures.levels_table([none, dihedral]).texts()[1][-4:],
                          ["–", "not known", "0.400", "1.20"])
         self.assertIn("errors of 1 % are not known", fronts.message("", runs))
-        self.assertIn("is within 5 % in 1.0 ms", fronts.message("", runs))
+        self.assertIn("reaches 5 % in the least time, 1.0 ms", fronts.message("", runs))
 
     def test_the_gain_is_stated_together_with_the_gain_of_a_coarser_mesh(self):
         def run_of(cells, ms, error):
@@ -1241,7 +1241,7 @@ class StripTest(unittest.TestCase):
         rows = [{"model": model, "iterations": 1, "substeps": n, "measured": 1 / (1 + lost)}
                 for model, n, lost in (("dihedral", 1, 16), ("dihedral", 4, 1), ("lod", 1, 4), ("lod", 2, 2))]
         text = effective.doubling_text(rows)
-        self.assertIn("for hinges it removes 75 %, for springs it removes 50 %", text)
+        self.assertIn("by 75 % for hinges, by 50 % for springs", text)
 
     def test_a_page_without_runs_has_checks_without_a_result(self):
         with tempfile.TemporaryDirectory() as folder:

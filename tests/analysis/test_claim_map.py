@@ -36,21 +36,21 @@ class Sentence(unittest.TestCase):
 
     def test_the_sentence_if_one_question_decides(self):
         sentence = grid(lambda place: place.damping == "viscous drag").sentence
-        self.assertEqual(sentence, "holds in 36 of 72 boxes: exactly where there is viscous drag; at "
-                         "1 × 10 alone in 9 of 18")
+        self.assertEqual(sentence, "holds in 36 of 72 boxes: exactly where there is viscous drag; in "
+                         "9 of the 18 boxes with 1 × 10 substeps × iterations")
 
     def test_the_sentence_if_two_questions_decide(self):
         good = ("4 × 10", "16 × 10")
         sentence = grid(lambda place: place.solver in good and place.pins != "the corner alone").sentence
         self.assertEqual(sentence, "holds in 24 of 72 boxes: exactly where substeps × iterations are 4 × 10 "
-                         "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm; at "
-                         "1 × 10 alone in 0 of 18")
+                         "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm; in "
+                         "0 of the 18 boxes with 1 × 10 substeps × iterations")
 
     def test_cells_outside_the_region_are_counted(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         sentence = grid(lambda place: place.damping == "viscous drag" or place == odd).sentence
-        self.assertEqual(sentence, "holds in 37 of 72 boxes: wherever there is viscous drag (36), and in 1 "
-                         "beside these; at 1 × 10 alone in 10 of 18")
+        self.assertEqual(sentence, "holds in 37 of 72 boxes: wherever there is viscous drag (36 boxes), and "
+                         "in 1 more; in 10 of the 18 boxes with 1 × 10 substeps × iterations")
 
     def test_a_claim_is_open_if_open_cells_could_refute_it(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
@@ -58,23 +58,23 @@ class Sentence(unittest.TestCase):
             claim = grid(lambda _: verdict)
             claim.cells[odd] = Cell("not run", None, open=True)
             self.assertIsNone(claim.holds)
-            self.assertEqual(claim.sentence, f"open: {word} in all 71 boxes whose runs are there; 1 box is "
-                             "open, because their runs are not there")
+            self.assertEqual(claim.sentence, f"open: {word} in all 71 boxes that have runs; 1 box is "
+                             "open, because runs are missing")
             self.assertEqual(map_mark(claim), ("open", "open"))
 
     def test_cells_without_a_verdict_do_not_refute_a_claim(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         claim = grid(lambda place: None if place == odd else True)
         self.assertIs(claim.holds, True)
-        self.assertEqual(claim.sentence, "holds in every box; 1 box has nothing to compare")
+        self.assertEqual(claim.sentence, "holds in every box; 1 box has no verdict")
 
     def test_a_chequerboard_has_no_region(self):
         orders = [list(claim_map.DAMPINGS.values()), list(claim_map.SOLVERS.values()), list(claim_map.PINS),
                   [16, 32, 64]]
         odd = lambda place: sum(order.index(answer) for order, answer in zip(
             orders, (place.damping, place.solver, place.pins, place.cells))) % 2
-        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 boxes; no one or two answers decide where; "
-                         "at 1 × 10 alone in 9 of 18")
+        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 boxes, without a simple pattern; "
+                         "in 9 of the 18 boxes with 1 × 10 substeps × iterations")
 
     def test_a_region_never_has_a_cell_that_fails_or_is_open(self):
         chance, regions = random.Random(1), 0

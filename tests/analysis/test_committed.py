@@ -141,8 +141,8 @@ class Open(unittest.TestCase):
         for holds, word in ((True, "holds"), (False, "fails")):
             claim = ClaimMap("1", "", "", "", "", {place: Cell("1", holds)}, left_out=True)
             self.assertIsNone(claim.holds)
-            self.assertEqual(claim.sentence, f"open: {word} in all 1 boxes whose runs are there; those of "
-                                             "--full are not run")
+            self.assertEqual(claim.sentence, f"open: {word} in all 1 boxes that have runs; the boxes of "
+                                             "--full are not computed")
             claim.left_out = False
             self.assertIs(claim.holds, holds)
 

@@ -98,9 +98,9 @@ class MeasureTest(unittest.TestCase):
 
     def test_the_title_of_the_sizes_compares_kinds_with_both_sizes(self):
         title = sizes.title(self.table())
-        self.assertEqual(title, "Cost of a constraint on 10,000 vertices over that on 100: "
+        self.assertEqual(title, "Time of a constraint on 10,000 vertices over its time on 100: "
                          "3.00 for crossover springs (single precision)")
-        self.assertNotIn("over that", sizes.title(self.table(KERNELS[:1])))
+        self.assertNotIn("over its", sizes.title(self.table(KERNELS[:1])))
 
     def test_all_parts_of_a_step_have_the_same_unit(self):
         parts = [(part.group, part.name, part.ns) for part in overview.parts(EVERYTHING)]
@@ -112,25 +112,25 @@ class MeasureTest(unittest.TestCase):
     def test_the_answer_and_the_title_of_the_overview(self):
         self.assertEqual(overview.answer(EVERYTHING),
                          "One step with 4 iterations of a cloth with 100 vertices and crossover springs "
-                         "takes 0.0064 ms on one thread. That is 64.0 ns for each vertex: 40.0 ns for the "
+                         "takes 0.0064 ms on one thread. Each vertex takes 64.0 ns: 40.0 ns for the "
                          "strain of the triangles and 24.0 ns for the springs.")
         title = overview.title(overview.parts(EVERYTHING))
         self.assertIn("Bending takes 0.60 (crossover springs) to 2.5 (adaptive springs) times", title)
-        self.assertIn("1 of 2 effects take less than a tenth of it; the dearest is wind, with 0.20", title)
+        self.assertIn("tenth of the time of strain. The most expensive effect, wind, takes 0.20", title)
 
     def test_kinds_are_compared_at_the_same_size(self):
         self.assertEqual(kinds.title(self.table()),
-                         "A bending constraint costs 2.0 to 2.5 ns; all constraints of a model cost 6.0 to "
-                         "25 ns per vertex (single precision, 100 vertices)")
+                         "A bending constraint costs 2.0 to 2.5 ns. All bending constraints of a model cost "
+                         "6.0 to 25 ns per vertex (single precision, 100 vertices)")
         self.assertEqual(limits.title(self.table()),
-                         "The fast code is 16 to 30 times as fast as the oracle and reaches 25 to 50 % of "
+                         "The kernels are 16 to 30 times as fast as the oracle and reach 25 to 50 % of "
                          "the roofline (single precision, 100 vertices)")
 
     def test_an_iteration_of_quasi_newton_is_compared_with_its_solve(self):
         table = self.table(METHODS)
         self.assertEqual(methods.title(table),
                          "An iteration of quasi_newton costs 60.0 ns per vertex, 2.00 times an iteration of "
-                         "pbd; the solve is 40 % of it (single precision, 100 vertices)")
+                         "pbd; the solve takes 40 % of it (single precision, 100 vertices)")
         self.assertNotIn("costs", methods.title(self.table(METHODS[:3])))
         self.assertEqual(methods.threads_gain(METHODS, METHODS[1]), 1.5)
         self.assertIsNone(methods.threads_gain(METHODS, METHODS[0]))
@@ -140,8 +140,8 @@ class MeasureTest(unittest.TestCase):
         self.assertEqual(list(by_effect), ["wind", "gravity"])  # the most expensive first
         self.assertEqual(effects.growth(by_effect["wind"]), 5)
         self.assertIn("1 of 1 effects", effects.title(by_effect))
-        self.assertIn("most of all wind: 5.0 times", effects.title(by_effect))
-        self.assertIn("10,000 vertices, only at fewer: gravity (100)", effects.sizes_text(by_effect))
+        self.assertIn("The largest ratio is 5.0 (wind)", effects.title(by_effect))
+        self.assertIn("not timed at 10,000 vertices: gravity (100)", effects.sizes_text(by_effect))
 
     def test_the_known_effects_are_effects_of_the_program(self):
         known = effects.known_effects()
@@ -153,10 +153,10 @@ class MeasureTest(unittest.TestCase):
         # 100 ns per spring, divided by 4 iterations of 2.5 ns.
         self.assertEqual(set_up.steps(SET_UP[0], self.table(), 4), 10)
         self.assertIsNone(set_up.steps(SET_UP[0], {}, 4))
-        self.assertIn("For 100,000 springs it takes as long as projecting them in 10 steps",
+        self.assertIn("Setting up 100,000 springs takes as long as projecting them in 10 steps",
                       set_up.steps_text(EVERYTHING))
         self.assertEqual(set_up.title(SET_UP),
-                         "Setting up 100,000 springs takes 0.010 s: 100 ns and 40 bytes for each")
+                         "Setting up 100,000 springs takes 0.010 s: 100 ns and 40 bytes for each spring")
 
     def test_order_by_colour_is_sooner_if_its_speed_makes_up_for_its_iterations(self):
         # Order by colour needs 5, 2 and 9 times as many iterations, or never reaches the error of list order.
@@ -165,8 +165,8 @@ class MeasureTest(unittest.TestCase):
         self.assertIn("sooner in 2 of 4 comparisons", order.time_text(EVERYTHING))
         self.assertEqual(order.time_text(ORDER), "")
         self.assertEqual(order.title(order.by_scene(ORDER)),
-                         "Order by colour changes the error by −10 to 50 %; it needs 2.0 to 9.0 times "
-                         "as many iterations for the error of list order")
+                         "Order by colour changes the error by −10 to 50 %. To reach the error of list "
+                         "order, order by colour needs 2.0 to 9.0 times as many iterations")
 
     def test_the_gain_of_threads(self):
         steps = threads.by_precision(EVERYTHING)
@@ -269,8 +269,8 @@ class PageTest(unittest.TestCase):
         self.assertEqual([entry["date"] for entry in kept], ["2001-01-01", "2001-02-03"])
         self.assertEqual(kept[-1]["kinds"], {"strain triangles": (5, 30), "crossover springs": (2, 20),
                                              "adaptive springs": (2.5, 16), "whole step": (3.2, 30)})
-        self.assertEqual(history.title(kept), "A step is 30.0 times as fast as the oracle's, and was 20.0 "
-                         "times in the measurement before")
+        self.assertEqual(history.title(kept), "A step is 30.0 times as fast as a step of the oracle "
+                         "(in the last measurement: 20.0 times)")
         self.assertNotIn("times", history.title(kept[:1]))
 
     def test_a_page_without_rows_lists_missing_rows(self):

@@ -136,8 +136,8 @@ TEST_CASE("accuracy: a reference on another mesh is interpolated at the vertices
     return [&] { PoseTransfer(RestMesh(other), RestMesh(coarse)); };
   };
   CHECK_THROWS_WITH(no_fit(grid(0.5, 1, 9, 9))(), ContainsSubstring("outside"));
-  CHECK_THROWS_WITH(no_fit(grid(2, 1, 20, 9))(), ContainsSubstring("another outline"));
-  CHECK_THROWS_WITH(no_fit(tube(0.5, 0.5, 1, 9))(), ContainsSubstring("same flat sheet"));
+  CHECK_THROWS_WITH(no_fit(grid(2, 1, 20, 9))(), ContainsSubstring("different outlines"));
+  CHECK_THROWS_WITH(no_fit(tube(0.5, 0.5, 1, 9))(), ContainsSubstring("one flat sheet"));
 }
 
 TEST_CASE("accuracy: an equilibrium is its own reference") {
@@ -303,7 +303,7 @@ TEST_CASE("accuracy: an impossible reference is an error of the config or a mess
   CHECK_THAT(message_with(R"("physical": ["/mesh/width=0.4"])"),
              ContainsSubstring("/accuracy/physical: ") && ContainsSubstring("outside"));
   CHECK_THAT(message_with(R"("physical": ["/mesh/width=3", "/mesh/cells=30"])"),
-             ContainsSubstring("another outline"));
+             ContainsSubstring("different outlines"));
   CHECK_THAT(message_with(R"("physical": ["/pins/indices=[99]"])"), ContainsSubstring("vertex 99"));
   {
     const WithoutTraps infinite;  // on purpose

@@ -94,7 +94,7 @@ TEST_CASE("measures: a metric that no run can have is an error before the first 
   CHECK_THAT(here.err(), Catch::Matchers::ContainsSubstring("/expect/0/metric") &&
                              Catch::Matchers::ContainsSubstring("did you mean 'max_stretch'?"));
   CHECK(validate("stability_reach", "") == 3);
-  CHECK_THAT(here.err(), Catch::Matchers::ContainsSubstring("/output/measures has to name"));
+  CHECK_THAT(here.err(), Catch::Matchers::ContainsSubstring("stability, to /output/measures"));
   CHECK(validate("stability_reach", R"("output": {"measures": ["stability"]}, )") == 0);
 }
 

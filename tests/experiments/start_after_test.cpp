@@ -102,7 +102,7 @@ TEST_CASE("mistakes in the run before are reported when the config is read") {
       problem(
           R"("mesh": {"generator": "tube", "cells": 12}, "duration": 0.1, "pins": {"vertices": ["top_rim"]},
       "initial": {"after": ["/mesh/cells=14"]})"),
-      ContainsSubstring("same flat sheet"));
+      ContainsSubstring("one flat sheet"));
   CHECK_THAT(problem(R"("duration": 0.1, "initial": {"after": ["/mesh/width=0.5"]})"),
              ContainsSubstring("outside"));
 }

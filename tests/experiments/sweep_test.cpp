@@ -169,7 +169,7 @@ TEST_CASE("sweep: pointers must name a setting, lists must hold allowed values")
   check_problem(R"("sweep": {"/pins/vertices": [["tp"]]})", "/sweep/~1pins~1vertices/0/0",
                 "did you mean 'top'?");
   check_problem(R"("sweep": {"/bending/k": [1], "/bending": [{}]})", "/sweep/~1bending",
-                "overwrite '/bending/k'");
+                "overwrite the values of '/bending/k'");
 }
 
 TEST_CASE("sweep: settings that a sweep replaces are checked, too") {
@@ -178,9 +178,10 @@ TEST_CASE("sweep: settings that a sweep replaces are checked, too") {
 
 TEST_CASE("sweep: values that contradict each other are refused") {
   check_problem(R"("mesh": {"file": "a.obj"}, "sweep": {"/mesh/generator": ["grid"]})",
-                "/sweep/~1mesh~1generator/0", "does not go with /mesh/file");
+                "/sweep/~1mesh~1generator/0", "cannot be combined with /mesh/file");
   check_problem(R"("sweep": {"/mesh/file": [null, "a.obj"], "/mesh/generator": ["grid", "disc"]})",
-                "/sweep/~1mesh~1file/1", "with this value /mesh/generator: does not go with /mesh/file");
+                "/sweep/~1mesh~1file/1",
+                "with this value /mesh/generator: cannot be combined with /mesh/file");
   // Every value is valid alone, but one of the four combinations lists an effect twice.
   check_problem(R"("effects": [{"type": "gravity"}, {"type": "rigid_damping"}], "sweep": {
                    "/effects/0/type": ["gravity", "constraint_damping"],

@@ -51,7 +51,7 @@ TEST_CASE("trust: a changed run file is set aside, and the run is computed again
   CHECK(place.run("list") == 0);
   CHECK_THAT(place.err(), ContainsSubstring("was changed after it was written"));
   CHECK_FALSE(reused(place));
-  CHECK_THAT(place.err(), ContainsSubstring("it is set aside as run.vtkhdf."));
+  CHECK_THAT(place.err(), ContainsSubstring("the file is set aside as run.vtkhdf."));
   CHECK(place.run_files(".bad").size() == 1);
   CHECK(seal_of(only_run(place)) == Seal::whole);
   CHECK(reused(place));
@@ -183,7 +183,8 @@ TEST_CASE("trust: validate checks meshes, pins and warnings", "[trust]") {
   CHECK_THAT(place.err(), ContainsSubstring("/pins/vertices"));
   place.write("empty.obj", "# nothing\n");
   CHECK(place.run("validate file.json --set /mesh/file=empty.obj") == 4);
-  CHECK_THAT(place.err(), ContainsSubstring("has no triangles") && ContainsSubstring("export the mesh"));
+  CHECK_THAT(place.err(),
+             ContainsSubstring("has no triangles") && ContainsSubstring("export the whole mesh"));
   // A warning is printed, and with --strict it is an error.
   CHECK(place.run("validate sheet.json --set /mesh/width=100 --set /mesh/height=100") == 0);
   CHECK_THAT(place.err(), ContainsSubstring("warning") && ContainsSubstring("units"));

@@ -74,7 +74,7 @@ TEST_CASE("plan: it does not change with its config, and refuses runs that would
   CHECK(place.out_lines().size() == 1);
   place.write("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
   CHECK(place.run("work plans/p.json") == 5);
-  CHECK(place.err().find("sheet is a different run now, because a file that it reads was changed") !=
+  CHECK(place.err().find("sheet is a different run now, because a file that the run reads was changed") !=
         std::string::npos);
 
   std::string text = test::read(place.folder / "plans/p.json");

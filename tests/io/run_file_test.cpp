@@ -335,13 +335,13 @@ TEST_CASE("run file: bad folders are refused with the reason of the system and a
   const auto absent = folder / "absent" / "run.vtkhdf";
   CHECK_THAT(refusal(absent),
              ContainsSubstring(absent.string() + ".part: can't begin the run file: No such file or") &&
-                 ContainsSubstring("its folder has to exist"));
+                 ContainsSubstring("its folder must exist"));
   std::ofstream(folder / "file") << "text";
   CHECK_THAT(refusal(folder / "file" / "run.vtkhdf"), ContainsSubstring("Not a directory"));
   if (geteuid() == 0) return;  // root may write anywhere
   REQUIRE(chmod((folder / "").c_str(), 0500) == 0);
   CHECK_THAT(refusal(folder / "run.vtkhdf"),
-             ContainsSubstring("Permission denied") && ContainsSubstring("folder you may write to"));
+             ContainsSubstring("Permission denied") && ContainsSubstring("folder in which you may write"));
   REQUIRE(chmod((folder / "").c_str(), 0700) == 0);
 }
 

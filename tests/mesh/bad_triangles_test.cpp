@@ -229,8 +229,8 @@ TEST_CASE("regularise and membrane_off change exactly the triangles that they re
     for (std::size_t t = 0; t < inverse.size(); ++t)
       changed += t >= inverse_of_kept.size() || inverse[t] != inverse_of_kept[t];
     CHECK(changed == 1);  // the cap
-    CHECK(reported(accepted, policy == BadTriangles::regularise ? "given a rest height"
-                                                                : "without a strain") == changed);
+    CHECK(reported(accepted, policy == BadTriangles::regularise ? "simulated with a small rest height"
+                                                                : "simulated without strain") == changed);
     CHECK(reported(accepted, "kept") == 3);  // the edges of the turned triangle
     CHECK(accepted.notes.size() == 5);
   }
@@ -239,7 +239,7 @@ TEST_CASE("regularise and membrane_off change exactly the triangles that they re
 TEST_CASE("repair changes exactly the triangles that it reports", "[mesh][bad]") {
   const AcceptedMesh accepted = accept(damaged_lattice(), BadTriangles::repair);
   CHECK(reported(accepted, "left out") == 6);
-  CHECK(reported(accepted, "collapsed, or removed") == 1);
+  CHECK(reported(accepted, "collapsed to an edge, or removed") == 1);
   CHECK(reported(accepted, "turned to face the same side") == 3);  // edges
   CHECK(accepted.notes.size() == 5);
   // The cap is removed, the triangle beyond its longest edge becomes two, and triangle 12 is turned back.

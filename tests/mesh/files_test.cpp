@@ -109,7 +109,7 @@ TEST_CASE("OBJ texture coordinates belong to corners", "[mesh][files]") {
   CHECK(read_mesh(folder.write("c.obj", obj_vertices + texture + "f 1/1 2/2 3/3\nf 1 3 4\n"), &notes)
             .texture_coordinates.rows() == 0);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "texture coordinates left out: 1 of 2 triangles have none");
+  CHECK(notes[0] == "texture coordinates left out, because 1 of 2 triangles have no texture coordinates");
   check_refused(folder.write("d.obj", obj_vertices + texture + "f 1/1 2/2 3/5\n"), "texture coordinate 5");
   check_refused(folder.write("e.obj", obj_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"), "line 5");
 }
@@ -211,7 +211,7 @@ TEST_CASE("reading STL merges exactly equal points", "[mesh][files]") {
   for (const char first : {'s', 'x'}) {  // a binary header may begin with "solid", too
     bytes[0] = first;
     check_refused(folder.write("cut.stl", bytes.substr(0, bytes.size() - 1)),
-                  "2 triangles would take 184 bytes, but it has 183");
+                  "2 triangles would need 184 bytes, but the file has 183");
     const TriangleMesh mesh = read_mesh(folder.write("more.stl", bytes + std::string(33, 'm')));
     CHECK(mesh.positions == unit_square);
     CHECK(mesh.triangles == two_triangles);

@@ -160,14 +160,15 @@ TEST_CASE("OBJ: a line that cannot be read is refused with its number", "[mesh][
   check_refused(square + "f\n", "line 5: a face has fewer than 3 corners: it has 0");
   check_refused(square + "f 0 1 2\n", "line 5: index 0");
   check_refused(square + "vt 0 0\nf 1/0 2/1 3/1\n", "line 6: index 0");
-  check_refused(square + "f 1 2 -5\n", "line 5: '-5' names vertex '-5', but there are only 4 before it");
+  check_refused(square + "f 1 2 -5\n", "line 5: '-5' refers to vertex '-5', but only 4 vertices are defined");
   check_refused(square + "f 1 2 99999999999999999999\n", "is too large a number");
   check_refused(square + "f 1 2 1.5\n", "'1.5' is not a whole number");
   check_refused(square + "f 1 2 /3\n", "line 5");
   check_refused(square + "f 1 2 3/1/x\n", "'x' is not a whole number");
   check_refused(square + "f 1 2 3/1/1/1\n", "'1/1' is not a whole number");
-  check_refused(square + "vt 0 0\nf 1/1 2/1 3/-2\n", "texture coordinate '-2' is named");
-  check_refused(square + "vt 0 0\nf 1/1 2/1 3/2\n", "triangle 0 names texture coordinate 2, but there are 1");
+  check_refused(square + "vt 0 0\nf 1/1 2/1 3/-2\n", "texture coordinate '-2' is used");
+  check_refused(square + "vt 0 0\nf 1/1 2/1 3/2\n",
+                "triangle 0 uses texture coordinate 2, but the file has 1");
   check_refused("v 0 0\n", "line 1: 3 words are too few");
   check_refused("v 1,5 0 0\n", "line 1: '1,5' is not a number");
   check_refused("v 0 0 0 red\n", "line 1: 'red' is not a number");

@@ -392,9 +392,9 @@ TEST_CASE("a scene that is no clamped strip is refused with the reason", "[stiff
   CHECK(refusal(rest, left, 2) == "none");
   CHECK(refusal(rest, right, 1) == "none");
   CHECK(refusal(rest, select_vertices(rest, Place::bottom), 1) == "none");
-  CHECK_THAT(refusal(rest, {}, 0), ContainsSubstring("has no pins"));
+  CHECK_THAT(refusal(rest, {}, 0), ContainsSubstring("no vertex is pinned"));
   CHECK_THAT(refusal(rest, both, 1), ContainsSubstring("more than one side"));
-  CHECK_THAT(refusal(rest, select_vertices(rest, Place::centre), 2), ContainsSubstring("in its middle"));
+  CHECK_THAT(refusal(rest, select_vertices(rest, Place::centre), 2), ContainsSubstring("in the middle"));
   CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 0), ContainsSubstring("no side"));
   CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 3), ContainsSubstring("not straight"));
   CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 1),
@@ -406,7 +406,7 @@ TEST_CASE("a scene that is no clamped strip is refused with the reason", "[stiff
   CHECK_THAT(refusal(rest, left, 1, {0.2, Vector3(0, -9.81, 0)}), ContainsSubstring("flat and horizontal"));
   TriangleMesh tapered = rest.mesh();
   tapered.positions.col(1).array() *= 0.55 - tapered.positions.col(0).array();  // 1.05 to 0.05 wide
-  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("a strip has to be equally wide"));
+  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("a strip must have the same width"));
 
   const StiffnessMeter meter(rest, make_pins(rest, left, 1).is_pinned, unit_load);
   Positions shape = rest.positions();

@@ -205,7 +205,7 @@ class MeshesFromArrays(unittest.TestCase):
     def test_a_mesh_from_arrays_refuses_settings_of_shape_and_has_no_config(self):
         with self.assertRaisesRegex(TypeError, "does not read cells"):
             bl.Mesh(*square(), cells=4)
-        with self.assertRaisesRegex(ValueError, "no place in a config"):
+        with self.assertRaisesRegex(ValueError, "a config cannot contain"):
             bl.Scene(mesh=bl.Mesh(*square())).config()
 
     def test_the_mesh_is_a_copy(self):

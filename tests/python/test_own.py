@@ -141,7 +141,7 @@ class Models(unittest.TestCase):
                 ({"constraint": constraint, "size": bl.Setting(None)}, "a setting is")):
             with self.subTest(text), self.assertRaisesRegex((ValueError, TypeError), text):
                 define(**members)
-        with self.assertRaisesRegex(ValueError, "depends on where"):
+        with self.assertRaisesRegex(ValueError, "by the same vector"):
             define("Height", elements=lambda self, rest: bl.Elements(rest.triangles[:, :1]),
                    constraint=lambda self, x, rest: (x[:, 0, 2], np.tile([0, 0, 1.0], (len(x), 1, 1))))
         with self.assertRaisesRegex(ValueError, "bending model 'lod' cannot be registered"):

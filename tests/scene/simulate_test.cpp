@@ -165,7 +165,8 @@ TEST_CASE("simulate: all mistakes of a scene are reported at once, with pointers
 TEST_CASE("simulate: a setting that nothing reads is refused", "[scene]") {
   Scene scene;
   scene.bending.k = 0.7;  // but its stiffness is physical
-  CHECK_THAT(refused(scene), ContainsSubstring("/bending/k") && ContainsSubstring("nothing reads it"));
+  CHECK_THAT(refused(scene),
+             ContainsSubstring("/bending/k") && ContainsSubstring("nothing reads this setting"));
   scene.bending.stiffness = Stiffness::k;
   CHECK_THAT(refused(scene), ContainsSubstring("/bending/stiffness"));  // quasi_newton does not support k
 }

@@ -30,7 +30,7 @@ def configs(folder, size):
         "expectations": ({"expect": [{"metric": "drop", "max": 1, "why": "why"}] * size}, "at most 1000"),
         "effects": ({"effects": flat * size}, "at most 1000"),
         "pins": ({"pins": {"vertices": list(range(size))}}, "and "),
-        "long": ({"name": "n" * size}, "may have 100"),
+        "long": ({"name": "n" * size}, "may have at most 100"),
         "rate": ({"output": {"frames_per_second": 1e12}}, "/output/frames_per_second"),
         "slow": ({"duration": 1e18}, "steps of /solver/dt"),
     }

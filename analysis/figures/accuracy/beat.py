@@ -1,7 +1,7 @@
-"""The paper's adaptive model at its default setting, and runs that are cheaper at its error or better in its
-time.
+"""Compares the paper's adaptive model at its default setting (the run `star`) with models that have the
+stated stiffness. Which run takes less time for the same error? Which run is more exact in the same time?
 
-The control is the paper's setting on fewer cells: how much does the coarser mesh alone gain?
+The control: the paper's setting on coarser meshes. How much does a coarser mesh alone gain?
 """
 import numpy as np
 
@@ -11,7 +11,7 @@ from tables.chart import Chart
 from tables.numbers import number
 from tables.section import Check
 
-TENTH = 0.1  # the limit of the checks: a share of the paper's time, and of its error
+TENTH = 0.1  # limit of the checks, relative to the time and the error of the paper's default
 SOURCE = "the paper's adaptive model: 64 cells, 10 iterations, 1/60 s, k = 0.5"
 
 
@@ -30,15 +30,15 @@ def main(results, out, section):
     rows += [measures.row(run) | {"curve": f"{run.model}, the paper's setting"}
              for run in [*line, *(run for run in paper if run is not star)]]
     section.tables = [_control_table(rest, line), measures.table(
-        "beat", "The front of each model, and the paper's setting",
+        "beat", "The front (the best runs) of each model, and the paper's setting",
         [("curve", "model"), "cells", "settings", "ms", "error_physical", "strain"], rows)]
-    section.charts = [Chart("beat", "The paper's setting, and models whose cloth is stated", "beat", "ms",
+    section.charts = [Chart("beat", "The paper's setting, and models with the stated stiffness", "beat", "ms",
                             ["error_physical"], ["curve"],
                             y_scale="log", limits=[("error_physical", 100 * measures.error(star),
                                                     f"the paper's default on {cells(star)} cells")],
-                            note=message(rest, line, star) + ". Models whose cloth is stated, on 8 to 32 "
-                                                             "cells; and the paper's setting, its adaptive "
-                                                             "model on 8 to 64 cells.")]
+                            note=message(rest, line, star) + ". Meshes have 8 to 32 cells with the "
+                                                             "stated stiffness, and 8 to 64 cells with the "
+                                                             "paper's setting.")]
 
 
 def cells(run):
@@ -46,42 +46,43 @@ def cells(run):
 
 
 def chosen(runs, star):
-    """(cheapest run with at most the star's error, best run in at most the star's time), or None."""
+    """(cheapest run with at most the star's error, most accurate run in at most the star's time), or None."""
     return (measures.reaching(runs, measures.error(star)),
             min((run for run in runs if measures.cost(run) <= measures.cost(star)), key=measures.error,
                 default=None))
 
 
 def ratios(runs, star):
-    """(time for the star's error over its time, error in the star's time over its error), or NaN."""
+    """(time of the first run of chosen(), error of the second run), relative to the star; or NaN."""
     faster, nearer = chosen(runs, star)
     return (measures.cost(faster) / measures.cost(star) if faster else np.nan,
             measures.error(nearer) / measures.error(star) if nearer else np.nan)
 
 
 def text(rest, line, star):
-    """The answer and its control, computed from the runs."""
+    """The answer as text, with the control."""
     best = min(line, key=measures.error)
     asked, mesh, control = (ratios(runs, against)
                             for runs, against in ((rest, star), (line, star), (rest, best)))
     nearest = min(rest, key=measures.error)
-    finer = (" But with the stated cloth finer meshes have smaller errors still, "
-             f"{measures.percent(measures.error(nearest))} on {cells(nearest)} cells; with the paper's "
-             "setting they do not." if cells(nearest) > cells(best)
+    finer = (" With the stated stiffness the error decreases on finer meshes, to "
+             f"{measures.percent(measures.error(nearest))} on {cells(nearest)} cells. With the paper's "
+             "setting the error does not decrease." if cells(nearest) > cells(best)
              and measures.error(nearest) < measures.error(best)
              else "")
-    return (f"The paper's default, on {cells(star)} cells, is not given a cloth. Its error is its distance "
-            f"from the stated cloth, {measures.percent(measures.error(star))}. Runs that are given that "
-            f"cloth reach the same error in {part(asked[0], 'its time')}, and {part(asked[1], 'its error')} "
-            "in the same time. Coarser cells alone do much of that: the paper's own setting reaches the same "
-            f"error in {part(mesh[0], 'the time')}, and on {cells(best)} cells its error is "
-            f"{measures.percent(measures.error(best))}. This is its best. Compared with it, runs that are "
-            f"given the cloth reach the same error in {part(control[0], 'the time')}, and "
-            f"{part(control[1], 'the error')} in the same time.{finer}")
+    return (f"The paper's default, on {cells(star)} cells, has an error of "
+            f"{measures.percent(measures.error(star))}, its distance from the stated cloth. Models with the "
+            f"stiffness of that cloth need {part(asked[0], 'the time')} for the same error, and have "
+            f"{part(asked[1], 'the error')} in the same time. A coarser mesh alone explains much of this "
+            f"gain: on a coarser mesh the paper's setting needs {part(mesh[0], 'the time')} for the same "
+            f"error. Its error is smallest, {measures.percent(measures.error(best))}, on {cells(best)} "
+            f"cells. Compared with this run, models with the stated stiffness need "
+            f"{part(control[0], 'the time')} for the same error, and have {part(control[1], 'the error')} "
+            f"in the same time.{finer}")
 
 
 def part(ratio, of):
-    """'0.33 % of the time' of a ratio below 1, '2.0 times the time' above."""
+    """A ratio as text: '0.33 % of the time' below 1, otherwise '2.0 times the time'."""
     if ratio < 1:
         return f"{measures.percent(ratio)} of {of}"
     return f"{number(ratio, 2)} times {of}"
@@ -95,26 +96,27 @@ def _check(name, rest, star, which):
 
 
 def _control_table(rest, line):
-    """The paper's setting on every mesh, and runs that are given the cloth on the same mesh."""
+    """For every mesh: the run with the paper's setting, and the best runs with the stated stiffness."""
     given, rows = group(rest, cells), []
     for star in (run for run in line if cells(run) in given):
         same = given[cells(star)]
-        for what, run, ratio in zip(("time for its error", "error in its time"), chosen(same, star),
+        for what, run, ratio in zip(("time for the same error", "error in the same time"), chosen(same, star),
                                     ratios(same, star)):
             of_star = {f"paper_{name}": value for name, value in measures.row(star).items()}
             rows.append(of_star | {"what": what, "ratio": ratio} | (measures.row(run) if run else {}))
-    return measures.table("control", "At equal cells: the paper's adaptive model, and models that are given "
-                                     "the cloth on the same mesh", [
+    return measures.table("control", "On equal meshes: the paper's adaptive model, and models with the "
+                                     "stated stiffness", [
                               ("paper_cells", "cells"), ("paper_ms", "ms per frame"),
-                              ("paper_error_physical", "error", "", "%"), ("what", "question"), "ratio",
+                              ("paper_error_physical", "error", "", "%"), ("what", "compared"), "ratio",
                               ("name", "best model"), "settings", "ms", "error_physical", "strain"], rows)
 
 
 def message(rest, line, star):
-    """Both ratios, compared with the paper's default, and with its setting on its best mesh."""
+    """The ratios as text, compared with the paper's default and with the paper's setting on its best mesh."""
     best = min(line, key=measures.error)
     (time, error), (control_time, control_error) = ratios(rest, star), ratios(rest, best)
-    return (f"Compared with the paper's default on {cells(star)} cells: the same error in "
-            f"{part(time, 'the time')}; {part(error, 'the error')} in the same time. Compared with its "
-            f"setting on {cells(best)} cells, its best: the same error in {part(control_time, 'the time')}; "
+    return (f"Compared with the paper's default on {cells(star)} cells, models with the stated stiffness "
+            f"need {part(time, 'the time')} for the same error, and have {part(error, 'the error')} in the "
+            f"same time. Compared with the paper's setting on {cells(best)} cells, where its error is "
+            f"smallest, these models need {part(control_time, 'the time')} for the same error, and have "
             f"{part(control_error, 'the error')} in the same time")

@@ -1,4 +1,6 @@
-"""What accuracy costs: error and CPU time of every bending model on one stated cloth."""
+"""What accuracy costs: error and CPU time of every bending model for one stated cloth. The front of a model
+consists of the runs for which no other run of the model has less time and a smaller error.
+"""
 import numpy as np
 
 from bendlab.results.load import by_model
@@ -38,32 +40,33 @@ def main(results, out, section):
     section.charts = [
         Chart("fronts", "Error against time", "fronts", "ms", ["error_physical", "error_solver"], ["curve"],
               held=["scene"], at=list(scenes)[0], y_scale="log", on_top=True,
-              note="Each curve is the front of a model: the runs that no other run of the model beats in "
-                   f"both time and error. Errors below {uncertain} are not known. A point opens its run."),
+              note="Each curve is the front of a model: the runs for which no other run of the model has "
+                   f"less time and a smaller error. Smaller errors than these are not known, because the "
+                   f"reference is not exact: {uncertain}. Click a point to open its run."),
         Chart("levels", "Models near the stated cloth", "within", "name", ["ms"], ["within"], held=["scene"],
               scale="band", look="", y_scale="log",
               at=list(scenes)[0],
-              note="CPU time per frame of each model's cheapest run of this sweep within an error from the "
-                   "stated cloth. A model without a mark has no such run. "
+              note="CPU time per frame of the cheapest run of each model within an error from the stated "
+                   "cloth. A model without a mark has no run with so small an error. "
               + ". ".join(message(scene, stated) for scene, (stated, _) in scenes.items()) + ".")]
 
 
 def message(scene, stated):
-    """The models that reach 5 % and 1 % in the least time in a scene, as text."""
+    """Text: which models reach errors of 5 % and 1 % in the least time in a scene."""
     parts = []
     for level in (0.05, 0.01):
         if level < measures.gap(stated):
             parts.append(f"errors of {100 * level:g} % are not known")
             continue
         run = measures.reaching(stated, level)
-        parts.append(f"{measures.name_of(run.model)} is within {100 * level:g} % in "
+        parts.append(f"{measures.name_of(run.model)} reaches {100 * level:g} % in the least time, "
                      f"{number(measures.cost(run), 2)} ms" if run else
-                     f"no model is within {100 * level:g} %")
+                     f"no model reaches {100 * level:g} %")
     return f"{scene}: {', '.join(parts)}"
 
 
 def _within(levels):
-    """One row per model and level, with the time to the level."""
+    """One row per model and target error, with the least time to this error."""
     rows = [{"scene": row["scene"], "name": row["name"], "model": row["model"],
              "within": f"within {100 * level:g} %",
              "ms": row[f"ms_{100 * level:g}"], "runs": [row[f"run_{100 * level:g}"]]}
@@ -73,7 +76,6 @@ def _within(levels):
 
 
 def _fronts(scenes):
-    """The front of every model in every scene, and the paper's setting."""
     rows = []
     for scene, (stated, paper) in scenes.items():
         for model, own_runs in by_model(stated).items():
@@ -81,12 +83,11 @@ def _fronts(scenes):
                      for run in measures.front(own_runs)]
         rows += [measures.row(run) | {"scene": scene, "curve": f"{measures.name_of(run.model)}, {PAPER}"}
                  for run in paper if np.isfinite(measures.error(run))]
-    return measures.table("fronts", "The front of each model", [
+    return measures.table("fronts", "The front (the best runs) of each model", [
         "scene", ("curve", "model"), "settings", "ms", "projections", "error_physical", "error_solver"], rows)
 
 
 def _best(scenes):
-    """The front over all models."""
     rows = [measures.row(run) | {"scene": scene} for scene, (stated, paper) in scenes.items()
             if scene in SCENES
             for run in measures.front(stated + paper)]
@@ -95,7 +96,7 @@ def _best(scenes):
 
 
 def _stiffness(runs):
-    """Measured over stated stiffness of each run on a model's front, for the cantilever."""
+    """For the runs in the fronts of the cantilever: measured stiffness over stated stiffness."""
     rows = [measures.row(run) | {"B": run.summary.get("stiffness_flexural_rigidity", np.nan) / STATED}
             for own_runs in by_model(runs).values() for run in measures.front(own_runs)]
     return measures.table("stiffness", "Cantilever: the error of the stiffness", [

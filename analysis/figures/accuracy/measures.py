@@ -1,4 +1,6 @@
-"""Cost and error of the runs of configs/accuracy, the front of several runs, and their rows in tables."""
+"""Costs and errors of the runs of configs/accuracy, and their rows in tables. The front of several runs
+consists of the runs for which no other run has less cost and a smaller error.
+"""
 import numpy as np
 
 from bendlab.results.load import by_model
@@ -7,20 +9,20 @@ from runs.sweeps import load_experiment
 from tables import looks
 from tables.table import Column, Table
 
-LEVELS = (0.20, 0.05, 0.01)  # errors; the tables state the time to reach each
-FRONTS = (("front", "front_slow", "front_work_slow"),  # configs that share a scene: curtain, cantilever
+LEVELS = (0.20, 0.05, 0.01)  # target errors; tables state the least time to reach each of these
+FRONTS = (("front", "front_slow", "front_work_slow"),  # configs of the curtain, and configs of the cantilever
           ("front_cantilever", "front_cantilever_slow", "front_cantilever_work_slow"))
 FRAMES_PER_SECOND = 60  # a frame is 1/60 s of simulated time
-UNBALANCED = 1e-3  # share of the loads; a reference whose forces are less balanced is no equilibrium
+UNBALANCED = 1e-3  # of the loads; a reference with larger unbalanced forces is no equilibrium
 MEANING = {"rms": "root mean square distance between the points of the run and of its reference, in "
-           "diagonals of the rest box", "hausdorff": "largest distance of either surface from the other, in "
-           "diagonals of the rest box",
+           "diagonals of the rest box", "hausdorff": "largest distance from a point of one surface to the "
+           "other surface, in diagonals of the rest box",
            "strain": "root mean square over the cloth of the difference in Green strain; if the reference "
            "is the stated cloth, root mean square of the strain itself",
-           "energy": "for motions only: energy (kinetic, elastic, of weight) gained since the start, "
-           "difference to the reference, mean over the frames, divided by the scene's scale. The scale is "
-           "kinetic and elastic energy at the start, plus weight times size"}
-# Columns of a run; see row().
+           "energy": "for motions only: how far the energy (kinetic, elastic, of weight) gained since the "
+           "start differs from that of the reference. This is a mean over the frames, divided by the kinetic "
+           "and elastic energy at the start plus weight times size"}
+# Columns of tables with a row per run; see row().
 COLUMNS = {column.id: column for column in (
     Column("name", "model"), Column("cells", "cells"), Column("settings", "substeps × iterations"),
     Column("ms", "CPU time per frame of 1/60 s", "", "ms"), Column("projections", "projections per frame"),
@@ -32,8 +34,8 @@ COLUMNS = {column.id: column for column in (
 
 
 def experiment_runs(results, section, *names):
-    """Complete and diverged runs of configs/accuracy/<name>.json; adds commands and missing points to
-    `section`."""
+    """Complete and diverged runs of configs/accuracy/<name>.json. `section` gets the commands and the missing
+    points of the sweeps."""
     runs = []
     for name in names:
         runs += [run for run in section.uses(load_experiment(results, f"accuracy/{name}")) if run.over]
@@ -41,7 +43,7 @@ def experiment_runs(results, section, *names):
 
 
 def row(run):
-    """The numbers of a run as a row; errors in %."""
+    """The row of a run in tables. Errors are in %."""
     return {"model": run.model, "name": name_of(run.model), "cells": run.get("/mesh/cells"),
             "settings": settings(run), "substeps": run.get("/solver/substeps"),
             "precision": run.get("/solver/precision"), "ms": cost(run), "projections": projections(run),
@@ -51,13 +53,13 @@ def row(run):
 
 
 def table(id, caption, columns, rows):
-    """A table of rows of runs. `columns`: ids of entries of COLUMNS, or columns as Table.of() takes them."""
+    """A table with a row per run. `columns`: ids of COLUMNS, or other columns in the form of Table.of()."""
     return Table.of(id, caption, [COLUMNS.get(column, column) if isinstance(column, str) else column
                                   for column in columns], rows)
 
 
 def name_of(model):
-    """Label of a model; configs/accuracy have k_ring with k = 2."""
+    """Label of a model. The label of k_ring has k = 2, as in configs/accuracy."""
     return looks.model_name(model, 2)
 
 
@@ -67,7 +69,6 @@ def cost(run):
 
 
 def projections(run):
-    """Projections per frame."""
     return run.summary.get("projections", np.nan) / (FRAMES_PER_SECOND * simulated(run))
 
 
@@ -77,20 +78,20 @@ def simulated(run):
 
 
 def error(run, measure="rms", against="physical"):
-    """Error of a run; infinite if it diverged, NaN if it was not compared or its reference is unbalanced."""
+    """Error of a run. Infinite if the run diverged, NaN without a reference in balance."""
     if run.summary.get(f"error_{against}_unbalanced", 0) > UNBALANCED:
         return np.nan
     return run.summary.get(f"error_{against}_{measure}", np.inf if run.status == "diverged" else np.nan)
 
 
 def gap(runs, against="physical"):
-    """Distance of the reference from a coarser reference, the largest over these runs: smaller errors are not
-    known. NaN if there is no coarser reference."""
+    """The smallest error that the references of these runs can measure: the largest distance of a reference
+    from a coarser reference. NaN without coarser references."""
     return max((run.summary.get(f"error_{against}_reference_gap", np.nan) for run in runs), default=np.nan)
 
 
 def known_levels(runs, against="physical"):
-    """The levels that are not below the gap of the reference."""
+    """The target errors that the references can measure."""
     return [level for level in LEVELS if not level < gap(runs, against)]
 
 
@@ -107,7 +108,7 @@ def settings(run):
 
 
 def front(runs, measure="rms", against="physical"):
-    """Runs that no other run beats in both cost and error, cheapest first."""
+    """The front of these runs, cheapest run first."""
     best, kept = np.inf, []
     for run in sorted(runs, key=lambda run: (cost(run), error(run, measure, against))):
         if error(run, measure, against) < best:
@@ -117,13 +118,13 @@ def front(runs, measure="rms", against="physical"):
 
 
 def reaching(runs, level, measure="rms", against="physical"):
-    """The cheapest run whose error is at most a level; None if there is none."""
+    """The cheapest run whose error is at most `level`. None if there is no such run."""
     return min((run for run in runs if error(run, measure, against) <= level), key=cost, default=None)
 
 
 def levels_rows(runs, scene, against, meaning):
-    """A row for each model: time and settings of its cheapest run within each level that the reference can
-    resolve, and its least error."""
+    """A row for each model: time and settings of the cheapest run for each target error, and the least error
+    of all runs."""
     known, least, rows = known_levels(runs, against), gap(runs, against), []
     for model, own_runs in by_model(runs).items():
         entry = {"scene": scene, "against": meaning, "name": name_of(model), "model": model,
@@ -140,17 +141,16 @@ def levels_rows(runs, scene, against, meaning):
 
 
 def levels_table(rows):
-    """The rows of levels_rows() as a table."""
     columns = [part for level in LEVELS for part in (
         (f"ms_{100 * level:g}", f"time to {100 * level:g} %", "", "ms per frame"),
         (f"settings_{100 * level:g}", "substeps × iterations"))]
-    return table("levels", "CPU time per frame of each model's cheapest run within an error", [
+    return table("levels", "CPU time per frame of the cheapest run of each model for three target errors", [
         "scene", ("against", "error from"), "name", *columns, ("least", "least error", "", "%"),
-        ("not_known", "smaller errors are not known", "", "%")], rows)
+        ("not_known", "smallest measurable error", "", "%")], rows)
 
 
 def slope(x, y):
-    """Exponent p of y ∝ x^p by least squares of the logarithms; NaN for fewer than two points."""
+    """Exponent p of y ∝ x^p, by least squares of the logarithms. NaN for fewer than two points."""
     x, y = np.asarray(x, float), np.asarray(y, float)
     known = np.isfinite(x) & np.isfinite(y) & (x > 0) & (y > 0)
     return float(np.polyfit(np.log(x[known]), np.log(y[known]), 1)[0]) if known.sum() > 1 else np.nan

@@ -1,4 +1,4 @@
-"""Error against time, over solver methods: the pose at rest, and motion."""
+"""Error against CPU time for each solver method, at rest and in motion."""
 import numpy as np
 
 from bendlab.results import registry
@@ -22,22 +22,21 @@ def main(results, out, section):
         stiffness += [run for run in rest if run.get("/mesh/cells") == 48]
     section.text += " " + _growth(rest)
     for id, runs, scene_of, title, note in (
-            ("at_rest", rest, by_cells, _message(rest), "The sheet of 40 cm hangs on two patches for 3 s. "
-                                                        "Times include the factorisation, which is made "
-                                                        "once."),
-            ("membranes", stiffness, by_stiffness, "The stiffer the membrane, the more its method matters",
+            ("at_rest", rest, by_cells, _message(rest), "A sheet of 40 cm hangs on two patches for 3 s. "
+                                                        "Times include the single factorisation of a run."),
+            ("membranes", stiffness, by_stiffness, "The method matters most for a stiff membrane",
              "48 cells. Y is the membrane's stiffness."),
             ("models", models, lambda run: looks.model_name(run.model, 2), "Methods over bending models",
              "48 cells."),
-            ("in_motion", motion, by_cells, "The first half second: with few iterations methods lag behind",
+            ("in_motion", motion, by_cells, "The first half second: with few iterations a method lags behind",
              "The reference is Newton's method in 12 substeps of BDF2.")):
         if not runs:
             continue
         section.tables += [_fronts(id, runs, scene_of), _table(f"{id}_levels", runs, scene_of, title)]
         section.charts.append(Chart(
             id, title, id, "ms", ["error_solver"], ["kind"], held=["scene"], y_scale="log", look="method",
-            limits=[("error_solver", 1, "1 %")], note=f"{note} A curve is the front of a "
-                                                      f"method.{_left_out(runs)}"))
+            limits=[("error_solver", 1, "1 %")], note=f"{note} A curve has the runs of a method "
+                                                      f"with the least time for an error.{_left_out(runs)}"))
     if rest:
         section.tables.append(_set_up_table(rest))
 
@@ -51,7 +50,7 @@ def by_stiffness(run):
 
 
 def kind_of(run):
-    """The solver method of a run; after a comma, a setting that changes its results."""
+    """The solver method of a run. A setting that changes the results of the method follows after a comma."""
     method = run.get("/solver/method")
     if run.get("/solver/membrane") == "auto":
         return f"{method}, membrane auto"
@@ -71,24 +70,23 @@ def _error(run):
 
 
 def _is_drawn(run):
-    return _error(run) <= 1  # a cloth that is farther away than its size has flown apart
+    return _error(run) <= 1  # with an error of more than its size, a cloth has flown apart
 
 
 def _left_out(runs):
-    """How many runs a chart leaves out, and why."""
+    """Sentences: how many runs a chart does not show, and why."""
     unknown = sum(np.isnan(_error(run)) for run in runs)
     apart = sum(not _is_drawn(run) for run in runs) - unknown
     text = ""
     if apart:
-        text += f" Not drawn: {apart} of {len(runs)} runs, which are farther off than the sheet's size."
+        text += f" Not drawn: {apart} of {len(runs)} runs, whose error is larger than the sheet's size."
     if unknown:
-        text += (f" {unknown} of {len(runs)} runs have no error: they were not compared, or their reference "
-                 "is not balanced.")
+        text += (f" {unknown} of {len(runs)} runs have no error, because they have no reference, or a "
+                 "reference that is not in balance.")
     return text
 
 
 def _fronts(id, runs, scene_of):
-    """The front of every method in every scene."""
     rows = [measures.row(run) | {"scene": scene.strip(), "kind": kind, "method": kind}
             for scene, in_scene in sorted(group([run for run in runs if _is_drawn(run)], scene_of).items())
             for kind, of_kind in _by_kind(in_scene) for run in measures.front(of_kind, against="solver")]
@@ -105,8 +103,8 @@ def _cheapest(runs, level):
 
 
 def gains(runs, level=0.01):
-    """Cells → (time of XPBD without coarse levels to an error, over that of the fastest other method; its
-    name)."""
+    """{cells: (ratio, method)}. `method` is the fastest method for an error of `level`. XPBD without coarse
+    levels takes `ratio` times as long."""
     ratios = {}
     for cells, of_size in sorted(group(runs, lambda run: run.get("/mesh/cells")).items()):
         kinds = group(of_size, kind_of)
@@ -122,20 +120,21 @@ def gains(runs, level=0.01):
 def _message(runs):
     ratios = gains(runs)
     if not ratios:
-        return "Error at rest over time, for each solver method"
+        return "Error at rest over CPU time, for each solver method"
     times = ", ".join(f"{ratio:.1f} × at {cells}" for cells, (ratio, _) in ratios.items())
-    return f"To 1 % at rest the fastest method takes less time than XPBD: {times} cells"
+    return f"For an error of 1 % at rest XPBD takes longer than the fastest method: {times} cells"
 
 
 def _growth(runs):
-    """A sentence: the power of the number of vertices with which the time to 1 % grows."""
+    """A sentence: the exponents p if the time to an error of 1 % grows as verticesᵖ."""
     powers = []
     for kind, own_runs in group(runs, kind_of).items():
         points = [(len(run.rest_positions), cost) for _, of_size in group(own_runs, by_cells).items()
                   for cost, run in [_cheapest(of_size, 0.01)] if run]
         if len(points) > 2:
             powers.append(f"{measures.slope(*zip(*points)):.1f} for {kind}")
-    return f"Time to 1 % grows with the vertices to the power of {', '.join(powers)}." if powers else ""
+    return ("The time to an error of 1 % grows as the number of vertices to the power "
+            f"{', '.join(powers)}." if powers else "")
 
 
 def _settings(run):
@@ -156,13 +155,13 @@ def _table(id, runs, scene_of, caption):
     columns = [part for level in measures.LEVELS for part in (
         (f"ms_{100 * level:g}", f"time to {100 * level:g} %", "", "ms per frame"),
         (f"settings_{100 * level:g}", "substeps × iterations"))]
-    return measures.table(id, f"{caption}: time to each error; the least error of any run of the sweep, and "
-                              "the memory of the method's arrays in that run", [
+    return measures.table(id, f"{caption}: least times to three errors; the least error of all runs, and the "
+                              "memory that the method's arrays take in the run with this error", [
                               "scene", "method", *columns, ("least", "least error", "", "%"), "memory"], rows)
 
 
 def _set_up_table(runs):
-    """Time before the first step, for the cheapest run to 1 % of every method and size."""
+    """Set-up times of the cheapest run with an error of 1 %, for each method and size."""
     rows = []
     for scene, of_size in sorted(group(runs, by_cells).items()):
         for kind, own_runs in _by_kind(of_size):
@@ -175,10 +174,10 @@ def _set_up_table(runs):
                          "without": measures.cost(run) - factor / frames, "with_factor": measures.cost(run),
                          "with_both": measures.cost(run) + set_up / frames})
     return measures.table(
-        "set_up", "Set-up of the cheapest run to 1 %, alone and spread over the run. Set-up makes the mesh, "
-                  "its constraints and their order. The factorisation is the one of quasi_newton's metric, "
-                  "made once; newton's matrices belong to its steps. The last two columns spread the times "
-                  "over the 3 s of the run.",
+        "set_up", "Set-up of the cheapest run with an error of 1 %. Set-up makes the mesh, its constraints "
+                  "and their order. Factorisation is the one factorisation of quasi_newton; newton's "
+                  "factorisations count as steps. The last two columns include these times, divided by the "
+                  "number of frames in 3 s.",
         ["scene", "method", ("set_up", "set-up", "", "ms"), ("factor", "factorisation", "", "ms"),
          ("without", "ms per frame without both"), ("with_factor", "with the factorisation"),
          ("with_both", "with both")], rows)

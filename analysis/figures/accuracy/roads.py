@@ -1,4 +1,4 @@
-"""Different methods that should give the same reference, and the cost of each remedy for a single pin."""
+"""Compares methods that should give the same reference, and states the cost of remedies for a single pin."""
 import numpy as np
 
 from bendlab.results.load import by_model
@@ -8,7 +8,7 @@ from tables.numbers import number
 from tables.section import Check
 
 AGREE = 0.005  # largest distance between two methods, in sizes
-# m; free end of the heavy elastica of configs/accuracy/cantilever.json
+# The free end of the heavy elastica of configs/accuracy/cantilever.json, m
 REACH, DROP, LENGTH = 0.03520, 0.06745, 0.08083
 EFFECTS = {"tethers": "tethers", "strain_limiting": "strain limits"}
 
@@ -34,13 +34,12 @@ def main(results, out, section):
         f"{number(measures.error(plain) / measures.error(best), 2)} and takes "
         f"{number(measures.cost(best) / measures.cost(plain), 2)} × the time", "pin", "remedy",
         ["error_physical", "ms", "strain"], ["effect"], scale="band", look="", y_scale="log",
-        note="Hinges with the stated cloth on a sheet of 30 cm that hangs from one pin: distance to the "
-             "equilibrium of that cloth nearest to the run's end, after the best rotation about the "
-             "vertical."))
+        note="Hinges on a sheet of 30 cm that hangs from one pin. The error is the distance from the nearest "
+             "equilibrium of the stated cloth, after the best rotation about the vertical axis."))
 
 
 def road_checks(name, runs):
-    """For every model, compares XPBD with the most substeps and Newton's method from the same start."""
+    """For every model: whether XPBD with the most substeps and Newton's method reach the same pose."""
     moving = [run for run in runs if run.get("/solver/method") == "pbd"
               and run.get("/accuracy/start_from_end") in (name in ("drape", "one_pin"), None)]
     finest = [max(own_runs, key=lambda run: run.get("/solver/substeps"))
@@ -51,21 +50,20 @@ def road_checks(name, runs):
 
 
 def elastica_checks(runs):
-    """Compares H/W of hinges in static equilibrium with the heavy elastica."""
+    """Compares height / width of a strip of hinges in equilibrium with the heavy elastica."""
     return [Check("cantilever: H/W against the heavy elastica", run.model, f"{run.get('/mesh/cells')} cells",
                   DROP / REACH, run.summary.get("stiffness_height_over_width", np.nan),
-                  AGREE * LENGTH * (1 / DROP + 1 / REACH), "strip of Bickley 1934; 0.5 % of its length in "
-                  "height and width") for run in runs if run.get("/solver/method") == "equilibrium"
+                  AGREE * LENGTH * (1 / DROP + 1 / REACH), "strip of Bickley 1934; tolerance 0.5 % of its "
+                  "length in height and width") for run in runs if run.get("/solver/method") == "equilibrium"
             and run.model in ("dihedral", "isometric")]
 
 
 def effect_of(run):
-    """The effect that is a remedy for the pin, "" if there is none."""
+    """The effect of a run that is a remedy for the pin, or ""."""
     return next((effect["type"] for effect in run.get("/effects") if effect["type"] in EFFECTS), "")
 
 
 def remedy(run):
-    """The remedies of a run as text."""
     names = [EFFECTS[effect["type"]] for effect in run.get("/effects") if effect["type"] in EFFECTS]
     substeps, iterations = run.get("/solver/substeps"), run.get("/solver/iterations")
     if (substeps, iterations) != (1, 10):

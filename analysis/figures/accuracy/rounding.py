@@ -1,4 +1,4 @@
-"""Rounding errors of single precision in short substeps: a fall, a hanging strip, a soft strip."""
+"""Rounding errors of single precision in short substeps: of a fall, a hanging strip and a soft strip."""
 import numpy as np
 
 from figures.accuracy import measures
@@ -9,7 +9,7 @@ GRAVITY, DENSITY, COMPLIANCE = 9.81, 0.2, 0.01  # m/s², kg/m², m/N, as in the 
 
 
 def fall_error(run):
-    """Relative to g t (t + h) / 2, the exact fall in substeps of h."""
+    """Relative error of a fall. In substeps of h the exact fall is g t (t + h) / 2."""
     time = float(run.metrics["time"][-1])
     substep = run.get("/solver/dt") / run.get("/solver/substeps")
     expected = GRAVITY * time * (time + substep) / 2
@@ -17,12 +17,12 @@ def fall_error(run):
 
 
 def length_error(run):
-    """Relative to 1 m."""
+    """Relative error of the length of a strip. The exact length is 1 m."""
     return abs(run.summary["drop_last"] - 1)
 
 
 def elongation_error(run):
-    """Relative to the elongation ρ g L² / 2Y of a strip of L = 1 m."""
+    """Relative error of the elongation of a strip. The exact elongation is ρ g L² / 2Y with L = 1 m."""
     expected = DENSITY * GRAVITY * COMPLIANCE / 2
     return abs((run.summary["drop_last"] - 1) / expected - 1)
 
@@ -52,13 +52,13 @@ def main(results, out, section):
                     f"{sum(share <= 1 for share in last)} of {len(last)} bounds", "rounding", "substeps",
         ["of_bound", "error"], ["precision"], held=["scene"],
         scale="log2", y_scale="log", look="", limits=[("of_bound", 1, "the bound")],
-        note=f"Up to {alike_until(panels)} substeps both precisions have the same error within 10 %: this "
-             "error comes from the solver, not from rounding."))
+        note=f"Up to {alike_until(panels)} substeps the errors of both precisions differ by less than 10 %: "
+             "these errors come from the solver, not from rounding."))
 
 
 def alike_until(panels):
-    """The most substeps up to which the errors of both precisions differ by less than a tenth, on all
-    panels."""
+    """The largest number of substeps up to which, in all panels, the errors of both precisions differ by less
+    than a tenth."""
     ends = []
     for _, error, _, runs in panels:
         errors = {(run.get("/solver/precision"), run.get("/solver/substeps")): error(run) for run in runs}

@@ -1,4 +1,5 @@
-"""Equal work in substeps or iterations; effects of time step, constraint order and precision."""
+"""Errors at equal work (substeps × iterations), and the influence of time step, order of constraints and
+precision."""
 import numpy as np
 
 from bendlab.results.load import by_model, group
@@ -35,15 +36,15 @@ def main(results, out, section):
         Chart("work", "Substeps or iterations, at equal work", "work", "substeps", ["error_solver", "ms"],
               ["name"], held=["work"],
               scale="log2", y_scale="log",
-              note=message(gains, between) + ". From all iterations in one substep (left) to one iteration "
-                                             "in each substep (right), in single precision. dihedral, "
-                                             "bridson and discrete_shells are one hinge with three "
-                                             "stiffnesses; their curves coincide."),
+              note=message(gains, between) + ". Left: all iterations in a substep. Right: one iteration per "
+                                             "substep. Single precision. dihedral, bridson and "
+                                             "discrete_shells are the same hinge with three stiffnesses; "
+                                             "their curves coincide."),
         Chart("steps", "At equal work the smallest time step has the smallest error for "
                        f"{finest_best(time_step)} models", "steps", "rate", ["error_solver"], ["name"],
               scale="log2", y_scale="log"),
         Chart("precision", "The error in single precision is up to × "
-                           f"{number(worst_of_single(precision), 2)} that in double", "precision",
+                           f"{number(worst_of_single(precision), 2)} the error in double", "precision",
               "substeps", ["error_solver"], ["name", "precision"],
               scale="log2",
               y_scale="log")]
@@ -54,25 +55,25 @@ def split(run):
 
 
 def gain(runs, work):
-    """Error with all work in iterations over error with all work in substeps; NaN if either is missing."""
+    """Error with one substep over error with one iteration per substep, at equal work. NaN if unknown."""
     errors = {split(run): measures.error(run, against="solver") for run in runs}
     return errors.get((1, work), np.nan) / errors.get((work, 1), np.nan)
 
 
 def along(runs, work):
-    """(substeps, error) of every split of the same work, from all in iterations to all in substeps."""
+    """(substeps, error) of all runs with this work, sorted by substeps."""
     line = {split(run)[0]: measures.error(run, against="solver") for run in runs
             if np.prod(split(run)) == work}
     return [(substeps, error) for substeps, error in sorted(line.items()) if np.isfinite(error)]
 
 
 def best_between(line):
-    """Whether the smallest error is at neither end of a line; None for a line of two points."""
+    """Whether an inner point of a line has the smallest error. None for a line of two points."""
     return min(line, key=lambda point: point[1]) not in (line[0], line[-1]) if len(line) > 2 else None
 
 
 def message(gains, between):
-    """The title: how often and by how much substeps beat iterations, and how often a mixture beats both."""
+    """Text: how often and how much many substeps are better than many iterations; when a mixture is best."""
     if not gains:
         return "Substeps against iterations"
     wins = sum(value > 1 for value in gains.values())
@@ -80,15 +81,15 @@ def message(gains, between):
     mixed = ", ".join(f"{sum(answers)} of {len(answers)} at work {work}" for work in EQUAL
                       if (answers := [best for (_, at), best in between.items() if at == work
                                       and best is not None]))
-    return (f"In {wins} of {len(gains)} comparisons the error is smaller with all work in substeps than with "
-            f"all in iterations: by × {number(np.median(list(gains.values())), 2)} (median), from × "
+    return (f"In {wins} of {len(gains)} comparisons one iteration per substep has a smaller error than one "
+            f"substep with all iterations: × {number(np.median(list(gains.values())), 2)} (median), from × "
             f"{number(gains[worst, least], 2)} ({measures.name_of(worst)}, work {least}) to × "
             f"{number(gains[best, most], 2)} ({measures.name_of(best)}, work {most}). "
-            f"A mixture of both is best in {mixed or 'none'}")
+            f"Several iterations in each of several substeps are best in {mixed or 'none'}")
 
 
 def finest_best(runs):
-    """For how many models the smallest time step has the smallest error: '3 of 4'."""
+    """Text like '3 of 4': for how many models the smallest time step has the smallest error."""
     models = by_model(runs).values()
     best = [min(own_runs, key=lambda run: measures.error(run, against="solver")) for own_runs in models]
     finest = min((run.get("/solver/dt") for run in runs), default=None)
@@ -96,7 +97,7 @@ def finest_best(runs):
 
 
 def worst_of_single(runs):
-    """The largest error in single precision over that in double, at equal settings."""
+    """The largest ratio of the errors in single and in double precision, at equal settings."""
     worst = 1.0
     for pair in group(runs, lambda run: (run.model, run.get("/solver/substeps"))).values():
         errors = {run.get("/solver/precision"): measures.error(run, against="solver") for run in pair}

@@ -1,4 +1,4 @@
-"""One row per question that the paper leaves open: the effect of each answer on the sheet."""
+"""The questions that the paper leaves open: how each answer changes the sheet."""
 import re
 
 import numpy as np
@@ -15,7 +15,6 @@ METRICS = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0
 
 
 def main(results, out, section):
-    """Draws and tabulates every ablation of configs/ablations."""
     rows = []
     for config in sorted(CONFIGS.glob("ablations/*.json")):
         experiment = load_experiment(results, f"ablations/{config.stem}")
@@ -39,16 +38,16 @@ def main(results, out, section):
     if rows:
         first, last = rows[0], rows[-1]
         title = (f"What the paper leaves open changes the stretch at the pin by up to "
-                 f"{number(first['effect'], 2)} times ({first['question']}); the answer to "
-                 f"{last['question']} matters least")
+                 f"{number(first['effect'], 2)} times ({first['question']}); the least important question "
+                 f"is {last['question']}")
         section.charts.append(Chart(
             "ablations", title, "ablations", "answer", [name for name, *_ in METRICS], ["kind"], scale="band",
-            y_scale="log", look="", note="The questions with the largest effect on the pin come first. Bars: "
-                                         "smallest and largest seed."))
+            y_scale="log", look="", note="The questions with the largest effect at the pin come first. Bars "
+                                         "go from the smallest to the largest seed."))
 
 
 def _rows(config, experiment):
-    """One row per answer, in the config's order."""
+    """A row for each answer, in the order of the config."""
     pointer = next(p for p in experiment.sweep if p != "/initial/seed")
     answers = experiment.sweep[pointer]
     default = at(experiment.settings, pointer, answers[0])

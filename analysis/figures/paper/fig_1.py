@@ -1,4 +1,4 @@
-"""Fig. 1: with strain constraints and one pinned vertex, triangles at the pin get the wrong stretch."""
+"""Fig. 1: with strain constraints and one pinned vertex, triangles at the pin are stretched too much."""
 import numpy as np
 
 from draw import cloth
@@ -12,26 +12,25 @@ from runs.sweeps import load_experiment
 
 MODELS = ["none", "crossover"]
 CELLS = [32, 64]
-WRONG = 1.0  # stretch - 1; above it a triangle is wrong: more than twice its length at rest
+WRONG = 1.0  # stretch - 1; a larger stretch is a failure: the triangle is more than twice as long
 
 
 def main(results, out, section):
-    """Draws the sheet and its pin at the first failure of the pin, and the course over time."""
     runs = section.uses(load_experiment(results, "paper/fig1"))
     groups = {(model, n): select(runs, bending__model=model, mesh__cells=n) for model in MODELS
               for n in CELLS}
     if runs:
-        section.pictures.append((_pictures(groups, out), "The first frame by which each sheet has had a "
-                                 "triangle at the pin (dot) that is more than twice its length at rest: the "
-                                 "whole sheet, and the pin."))
+        section.pictures.append((_pictures(groups, out), "Whole sheets, and their pins (dot). The time is "
+                                 "the first at which every sheet has had a triangle at the pin that is more "
+                                 "than twice its length at rest."))
     pin = {key: summary_spread(group, "pin_max_stretch") - 1 for key, group in groups.items()}
     anywhere = {key: summary_spread(group, "max_stretch") - 1 for key, group in groups.items()}
     mean = {key: summary_spread(group, "mean_strain") for key, group in groups.items()}
     onset = {key: spread([run.metrics["time"][_onset(run)] for run in group])
              for key, group in groups.items()}
     section.tables += [Table.of(
-        "fig_1", "Time of the first failure (median over seeds); other columns: medians over the last second "
-                 "and over seeds", ["model", "N", ("onset", "pin fails at", "", "s"),
+        "fig_1", "Time of the first failure (median over seeds). The other columns are medians over the last "
+                 "second and over seeds", ["model", "N", ("onset", "pin fails at", "", "s"),
                                     ("pin", "stretch − 1 at the pin"),
                   ("anywhere", "largest anywhere"), ("mean", "mean strain")],
         [{"model": model, "N": n, "onset": onset[model, n].median, "pin": pin[model, n].median,
@@ -41,8 +40,7 @@ def main(results, out, section):
         "fig_1_time", "Without bending springs the failure spreads from the pin over the whole "
                       "sheet", "fig_1_time",
         "time", ["pin_max_stretch", "mean_strain"], ["model", "N"], scale="linear", y_scale="log",
-        limits=[("pin_max_stretch", WRONG, "twice as long")], note="The same runs over time: median over "
-                                                                   "seeds."))
+        limits=[("pin_max_stretch", WRONG, "twice as long")], note="Median over seeds at each time."))
     section.claims.append(Claim("1", "With strain constraints and one pinned corner, the strain at the pin "
                                 "is wrong.", "without bending springs and with crossover springs, at every "
                                 "N, the median stretch − 1 at the pin over the last second is above 1: a "
@@ -56,7 +54,7 @@ def main(results, out, section):
 
 
 def _onset(run):
-    """Number of the first frame with wrong stretch at the pin; of the last frame if there is none."""
+    """Index of the first frame with a failure at the pin, or of the last frame."""
     wrong = np.flatnonzero(run.metrics["pin_max_stretch"] - 1 > WRONG)
     return int(wrong[0]) if len(wrong) else run.frames - 1
 
@@ -82,7 +80,7 @@ def _pin_text(sample):
 
 
 def _over_time(groups):
-    """Medians over seeds of every frame."""
+    """The medians over seeds, for every frame."""
     rows = []
     for (model, n), own_runs in groups.items():
         length = min((run.frames for run in own_runs), default=0)

@@ -1,8 +1,7 @@
-"""Fig. 5: crossover and adaptive springs over resolutions; how much of the effect is due to the springs, and
-how much to the pins.
+"""Fig. 5: crossover and adaptive springs at several resolutions.
 
-The paper's adaptive runs also pin the 1-ring of the pinned vertex: it changes two settings at once. This
-figure adds the two runs that change one setting only, and edge springs as a control.
+The paper's adaptive runs have other springs, and they also pin the 1-ring of the pinned vertex. To separate
+these two effects, this figure adds runs with only one of the changes, and edge springs as a control.
 """
 import numpy as np
 
@@ -32,7 +31,6 @@ CONFIGS_OF_ALL = ("paper/fig5", "paper/fig5_128")
 
 
 def main(results, out, section):
-    """Draws the sheets and numbers of Fig. 5."""
     undamped = [run for config in CONFIGS_OF_ALL for run in section.uses(load_experiment(results, config))]
     undamped += load_experiment(results, "paper/fig5_full").runs
     damped = section.uses(load_experiment(results, "paper/fig5_damped"))
@@ -42,27 +40,27 @@ def main(results, out, section):
     grids = {"no damping": floor, "rigid-mode damping, 1 per second": Grid(damped, "floor")}
     section.tables += [_table(grids), _factor_table(floor), _rounding_table(undamped)]
     section.charts += [
-        Chart("fig_5_numbers", "Crossover and adaptive springs over resolutions", "fig_5", "N",
+        Chart("fig_5_numbers", "Crossover and adaptive springs at several resolutions", "fig_5", "N",
               [name for name, *_ in METRICS], ["model", "pinned"], held=["damping"], at="no damping",
               scale="log2",
               y_scale="log", limits=[(name, 1, "twice as long") for name, offset, _ in METRICS if offset],
-              note="Medians over the last second and over seeds, five up to N = 64, then three; bars: "
-                   "smallest and largest seed."),
+              note="Medians over the last second and over seeds (five up to N = 64, then three). Bars go "
+                   "from the smallest to the largest seed."),
         Chart("fig_5_factors", "How much each of the two changes reduces the stretch", "fig_5_factors", "N",
               ["factor"], ["what"], held=["metric"], scale="log2", y_scale="log", look="",
               limits=[("factor", 1, "no change")],
-              note="The factor by which a change reduces stretch − 1. The product of the two changes is the "
-                   "paper's comparison: crossover springs with the pin alone, adaptive springs with the "
-                   "pin's 1-ring."),
+              note="The factor by which a change reduces stretch − 1. The product of both factors is the "
+                   "factor of the paper's comparison: crossover springs with the pin alone against "
+                   "adaptive springs with the pin and its 1-ring."),
         Chart("fig_5_rounding",
-              "Two readings of eq. 6: level m rounded down (floor) or to the nearest integer (round)",
+              "Two readings of eq. 6: m is rounded down (floor), or to the nearest integer (round)",
               "fig_5_rounding", "N", [name for name, *_ in ROUNDED], ["rounding"], scale="log2",
               y_scale="log", look="")]
     section.claims += _claims(floor)
 
 
 class Grid:
-    """Runs by (model, pinned rings, cells), for one rounding of m."""
+    """The runs with one rounding of m, by (model, pinned rings, cells)."""
 
     def __init__(self, runs, rounding):
         self.runs = {}
@@ -79,16 +77,17 @@ class Grid:
         return [self.spread(model, ring, n, metric, offset) for n in self.cells]
 
     def ends(self, model, ring, metric, offset=0):
-        """Spreads at the coarsest and the finest resolution."""
+        """The Spreads at the coarsest and at the finest resolution."""
         known = self.over_cells(model, ring, metric, offset)
         return (known[0], known[-1]) if known else (self.spread(model, ring, 0, metric),) * 2
 
 
 def factors(grid, n, metric, offset=1):
-    """Effects of the two changes on a metric at N = n, in decades (log10).
+    """By how many powers of ten each change reduces a metric at N = n.
 
-    `whole`: both changes. `model`, `ring`: one change, mean over the settings of the other; their sum is
-    `whole`. `interaction`: how much smaller the ring's effect is with adaptive springs.
+    `model`: adaptive instead of crossover springs, as mean over both kinds of pins. `ring`: the 1-ring pinned
+    too, as mean over both models. `whole`: both changes; the sum of `model` and `ring`. `interaction`: how
+    much smaller the effect of the pinned 1-ring is with adaptive springs than with crossover springs.
     """
     def level(model, ring):
         s = grid.spread(model, ring, n, metric, offset)
@@ -105,10 +104,10 @@ def _pictures(grid, out):
     paper = _sheets(samples, cameras, PAPER, grid.cells, out, "fig_5")
     controls = _sheets(samples, cameras, CONTROLS, grid.cells, out, "fig_5_controls")
     return [(paper, "Crossover springs with one pinned vertex (Fig. 5a), and adaptive springs with its "
-             "1-ring pinned too (Fig. 5b). The last frame of the seed nearest to the median; one "
-             "scale."),
+             "1-ring pinned too (Fig. 5b). Each picture shows the last frame of the seed nearest to the "
+             "median. All pictures have one scale."),
             (controls, "Not in the paper: crossover springs with the 1-ring pinned, adaptive springs with "
-             "the pin alone, and springs on the mesh's edges only.")]
+             "the pin alone, and springs along the edges of the mesh only.")]
 
 
 def _sheets(samples, cameras, rows, cells, out, name):
@@ -130,7 +129,7 @@ def _table(grids):
             | medians.row(runs, [*METRICS, ("springs", 0, "")])
             for damping, grid in grids.items() for model, ring in PAPER + CONTROLS for n in grid.cells
             if (runs := grid.runs.get((model, ring, n)))]
-    return Table.of("fig_5", "Median over the last second and over seeds, m by floor", [
+    return Table.of("fig_5", "Median over the last second and over seeds, m rounded down", [
         "damping", "model", "pinned", ("N", "resolution N (cells per side)"), ("springs", "springs", ",.0f"),
         *medians.columns(METRICS), ("status", "runs")], rows)
 
@@ -144,12 +143,13 @@ def _factor_table(grid):
                       "share": 100 * e[part] / e["whole"] if abs(e["whole"]) > 0.05 else None}
                      for part, what in PARTS.items()]
     return Table.of(
-        "fig_5_factors", "Factor by which stretch − 1 is smaller with adaptive springs and the 1-ring pinned "
-                         "than with crossover springs and the pin alone. The product of the springs' and the "
-                         "1-ring's factor is the whole factor; shares are of its logarithm. Interaction: the "
-                         "1-ring's factor with crossover springs over that with adaptive springs.",
-        [("metric", "of"), ("N", "resolution N (cells per side)"), ("what", "change"), "factor",
-         ("share", "share of the whole", ".0f", "%")], rows)
+        "fig_5_factors", "By which factor each change reduces stretch − 1. Both changes together: from "
+                         "crossover springs with the pin alone to adaptive springs with the 1-ring pinned. "
+                         "This factor is the product of the factors of the springs and of the pins. Shares "
+                         "refer to the logarithm of this factor. Interaction: the factor of the pins with "
+                         "crossover springs, divided by the factor of the pins with adaptive springs.",
+        [("metric", "metric"), ("N", "resolution N (cells per side)"), ("what", "change"), "factor",
+         ("share", "share of both", ".0f", "%")], rows)
 
 
 def _rounding_table(runs):
@@ -169,7 +169,7 @@ def _claims(grid):
 
 
 def _resolution_claims(grid):
-    """Figs. 5a and 5b: stretch and drop over resolutions."""
+    """The claims of Figs. 5a and 5b about stretch and drop at several resolutions."""
     cells = grid.cells or [0]
     low, high = cells[0], cells[-1]
     names = [f"N = {n}" for n in cells]
@@ -183,9 +183,9 @@ def _resolution_claims(grid):
     stays = known and all(s.median < 1 for s in adaptive) and adaptive[-1].median < 2 * adaptive[0].median
     setting = "one substep of 10 iterations, without damping"
     return [Claim("5a", "Crossover springs look right at low resolution and fail around the pin as "
-                  "resolution rises.", "with the pin alone, every seed's stretch − 1 at the pin at N = "
-                  f"{high} is larger than any seed's at N = {low}, the median at N = {high} is above 1 "
-                  "(twice as long), and the median never falls when N doubles", medians(crossover),
+                  "resolution rises.", "with the pin alone, stretch − 1 at the pin at N = "
+                  f"{high} is larger for every seed than for any seed at N = {low}, the median at N = {high} "
+                  "is above 1 (twice as long), and the median never falls when N doubles", medians(crossover),
                   rises if known else None, setting=setting),
             Claim("5b", "Adaptive springs don't degrade with resolution: normal cloth at every resolution.",
                   "with the 1-ring pinned, the median stretch − 1 at the pin stays below 1 at every N, and "
@@ -195,17 +195,17 @@ def _resolution_claims(grid):
                   "the median drop of the sheet differs by less than 10 % between resolutions",
                   {f"drop (m), {name}": s.median for name, s in zip(names, drops)}
                   | {"largest over smallest − 1": change}, bool(change < 0.1) if known else None,
-                  "A stretched sheet hangs lower too: the drop is only a bound for stiffness, which this "
-                  "figure does not measure.", setting=setting)]
+                  "A stretched sheet also hangs lower, so the drop does not measure the stiffness. The drop "
+                  "only limits how much the stiffness can differ.", setting=setting)]
 
 
 def _cause_claim(grid):
-    """Fig. 5: whether the springs or the pins improve the sheet."""
+    """The claim about the cause of the improvement: the springs or the pins."""
     high = grid.cells[-1] if grid.cells else 0
     effect, near = factors(grid, high, *PIN), factors(grid, high, "pin_region_stretch", 1)
     step = lambda a, b: grid.spread(*a, high, *PIN).median / grid.spread(*b, high, *PIN).median
     c0, c1, a0, a1 = ("crossover", 0), ("crossover", 1), ("adaptive", 0), ("adaptive", 1)
-    numbers = {"whole reduction (factor)": 10 ** effect["whole"],
+    numbers = {"reduction by both (factor)": 10 ** effect["whole"],
                "the springs' part (factor)": 10 ** effect["model"],
                "the 1-ring's part (factor)": 10 ** effect["ring"],
                "the springs' share": effect["model"] / effect["whole"],
@@ -215,7 +215,7 @@ def _cause_claim(grid):
                "adaptive instead of crossover, 1-ring pinned (factor)": step(c1, a1),
                "1-ring pinned too, adaptive (factor)": step(a0, a1)}
     holds = all(e["model"] > 2 * e["ring"] for e in (effect, near)) if np.isfinite(effect["whole"]) else None
-    return Claim("5", "Our question: is the improvement the work of the adaptive springs?",
+    return Claim("5", "Our question: do the adaptive springs cause the improvement?",
                  "the springs, and not the pinned 1-ring, cause more than two thirds of the reduction of "
                  f"stretch − 1 at N = {high} (in logarithms), both at the pin and near it", numbers, holds,
                  setting="one substep of 10 iterations, without damping")

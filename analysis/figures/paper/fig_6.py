@@ -1,8 +1,8 @@
-"""Fig. 6: one ring of springs (LOD) against all rings up to m and n (full). It compares the number of springs
-and the cloths.
+"""Fig. 6: one ring of springs (LOD) compared with all rings up to m and n (the full model), by the number of
+springs and by the distance of the cloths.
 
-The sheets are chaotic, so no two cloths are alike. The yardstick is the distance between two runs of the same
-full model that differ only in the seed of a perturbation of 10⁻⁶ of the size.
+The motion is chaotic, so two runs never agree. Distances are compared with the distance between two runs of
+the full model that differ only in the seed of a perturbation of 10⁻⁶ of the size (`yardstick`).
 """
 from draw import cloth
 from runs.distance import between_runs
@@ -18,7 +18,6 @@ EXPERIMENTS = {64: "paper/fig6_64", 128: "paper/fig6_128_full"}
 
 
 def main(results, out, section):
-    """Draws full and LOD cloths, and numbers of springs and distances over t."""
     cases = {}
     for n, config in EXPERIMENTS.items():
         experiment = load_experiment(results, config)
@@ -30,15 +29,15 @@ def main(results, out, section):
             if case.levels and case.full:
                 cases[n, rate] = case
     if cases:
-        section.pictures.append((_pictures(cases, out), "The full structure and two levels of LOD: the "
-                                 "default (ring m of free vertices, ring n of pinned ones), and the t whose "
-                                 "number of springs is nearest to the paper's 20 % fewer."))
+        section.pictures.append((_pictures(cases, out), "The full model and two LOD models: the default "
+                                 "(ring m of free vertices, ring n of pinned vertices), and the ring t with "
+                                 "which the saving of springs is nearest to the paper's 20 %."))
     section.tables.append(_table(cases))
     section.charts.append(Chart(
-        "fig_6_numbers", "Springs over t, and distances to the full cloth", "fig_6", "t",
+        "fig_6_numbers", "Number of springs, and distances to the full model, for each t", "fig_6", "t",
         ["fewer", "rms", "hausdorff"], ["case"], scale="band", y_scale="linear", look="",
         limits=[("fewer", -100 * CLAIMED, "the paper's −20 %")],
-        note="full, other seed: distance between two runs of the full model that differ only in their seed."))
+        note="'full, other seed' is the distance between two runs of the full model with different seeds."))
     section.claims += _claims(cases)
 
 
@@ -48,7 +47,7 @@ def damping_rate(run):
 
 
 class Case:
-    """One resolution and damping: the full runs, the LOD runs of every t, and their distances."""
+    """The runs with one resolution and damping: full runs, LOD runs of every t, and distances."""
 
     def __init__(self, n, rate, runs):
         self.n, self.rate = n, rate
@@ -64,7 +63,7 @@ class Case:
         self.distance = {t: between_runs(self.full, own_runs) for t, own_runs in self.lod.items()}
 
     def nearest_to_claim(self):
-        """The t > 0 whose number of springs is nearest to 20 % below the full model's, or None."""
+        """The t > 0 with which the saving of springs is nearest to 20 %, or None."""
         single = [t for t in self.levels if t > 0]
         return min(single, key=lambda t: abs(self.fewer[t] - CLAIMED)) if single else None
 
@@ -108,10 +107,10 @@ def _table(cases):
                          "springs": summary_spread(own_runs, "springs").median,
                          "pin": summary_spread(own_runs, "pin_max_stretch").median - 1}
                         | medians.cells("rms", rms) | medians.cells("hausdorff", hausdorff))
-    return Table.of("fig_6", "Distances relative to the sheet's size, median over pairs of runs with "
-                             "different seeds", [
-        ("case", "cells, damping"), ("t", "springs of"), ("springs", "springs", ",.0f"),
-        ("fewer", "springs, difference to full", "+.1f", "%"),
+    return Table.of("fig_6", "Distances are divided by the size of the sheet, and are medians over pairs of "
+                             "runs with different seeds", [
+        ("case", "cells, damping"), ("t", "ring of springs"), ("springs", "springs", ",.0f"),
+        ("fewer", "springs, compared with full", "+.1f", "%"),
         *medians.columns([("rms", 0, "RMS distance to the full cloth / size"),
                           ("hausdorff", 0, "Hausdorff distance to the full cloth / size")]),
         ("pin", "stretch − 1 at the pin")], rows)
@@ -135,12 +134,12 @@ def _claims(cases):
                 verdicts.append(distance <= 1.25 * case.yardstick[0].median and pin_of_lod <= 2 * pin)
     nearest = [case.fewer[case.nearest_to_claim()] for case in cases.values() if case.nearest_to_claim()]
     saved_enough = any(abs(fewer - CLAIMED) <= 0.05 for fewer in nearest)
-    every_n = {case.n for case in cases.values()} == set(EXPERIMENTS)  # another N could have such a level
-    return [Claim("6", "LOD needs 20 % fewer springs.", "at some N, some level t in [m, n] has 15 to 25 % "
-                  "fewer springs than the full structure (the paper states neither N nor t)", counted,
+    every_n = {case.n for case in cases.values()} == set(EXPERIMENTS)  # another N could have such a ring t
+    return [Claim("6", "LOD needs 20 % fewer springs.", "at some N, a ring t in [m, n] has 15 to 25 % "
+                  "fewer springs than the full model (the paper does not state N and t)", counted,
                   True if saved_enough else False if every_n else None),
-            Claim("6", "LOD looks almost the same as the full structure.", "at the default t and at the t "
-                  "nearest to 20 % fewer, the RMS distance to the full cloth is at most 1.25 times that "
-                  "between two seeds of the full model, and stretch − 1 at the pin is at most twice the full "
-                  "model's", alike, all(verdicts) if verdicts else None,
-                  setting="one substep of 10 iterations, as the sheets swing")]
+            Claim("6", "LOD looks almost the same as the full model.", "at the default t and at the t "
+                  "nearest to 20 % fewer, the RMS distance to the full cloth is at most 1.25 times the "
+                  "distance between two seeds of the full model, and stretch − 1 at the pin is at most twice "
+                  "that of the full model", alike, all(verdicts) if verdicts else None,
+                  setting="one substep of 10 iterations, while the sheets swing")]

@@ -1,4 +1,4 @@
-"""Large external forces, a storm and pins that are snatched away: the paper's springs and our defaults."""
+"""Large external forces, a storm and pins that move abruptly: the paper's springs and our defaults."""
 import numpy as np
 
 from draw import cloth
@@ -9,24 +9,24 @@ from tables.section import Claim
 from tables.table import Table
 from runs.sweeps import load_experiment
 
-# Scene → time of its picture in s.
+# Scene → time of the picture, s.
 SCENES = {"storm": 2.0, "snatch": 0.6}
-MOST = 1.15  # largest allowed stretch, stated before anything was run
+MOST = 1.15  # largest allowed stretch; this number was chosen before the first run
 WHOSE = {"paper": "the paper’s", "recommended": "our defaults"}
 SPRINGS = ["crossover", "adaptive", "lod"]
 ROWS = [*(("paper", model) for model in SPRINGS), ("recommended", "discrete_shells")]
 
 
 def main(results, out, section):
-    """Draws both scenes with the paper's springs and with our defaults, and the stretch over time."""
     scenes = {name: {(run.point["/defaults"], run.model): run for run in
                      section.uses(load_experiment(results, f"scenes/{name}"))} for name in SCENES}
     scenes = {name: runs for name, runs in scenes.items() if runs}
     if scenes:
-        section.pictures.append((_picture(scenes, out), "The cloth at the given time, all panels of a row "
-                                                        "with the same camera; the number is the largest "
-                                                        "stretch at any time. σ₁ is length over length at "
-                                                        "rest in the direction that is stretched most."))
+        section.pictures.append((_picture(scenes, out), "The cloth at the time in the upper corner. All "
+                                                        "panels of a row have one camera. The number in "
+                                                        "the lower corner is the largest stretch σ₁ at any "
+                                                        "time. σ₁ is the length of a triangle over its "
+                                                        "length at rest, in the most stretched direction."))
     section.tables += [_table(scenes), _over_time(scenes)]
     section.charts.append(Chart("large_forces", _title(scenes), "stretch_over_time", "time", ["max_stretch"],
                                 ["settings", "model"], held=["scene"], scale="linear", y_scale="log",
@@ -63,7 +63,7 @@ def _over_time(scenes):
 
 
 def _worst(scenes, chosen):
-    """Scene → largest stretch at any time, over the runs for which chosen(defaults, model) is true."""
+    """Scene → largest stretch at any time, of all runs with chosen(defaults, model)."""
     return {name: max((run.summary.get("worst_stretch", np.nan) for key, run in runs.items() if chosen(*key)),
                       default=np.nan) for name, runs in scenes.items()}
 
@@ -74,7 +74,7 @@ def _title(scenes):
              for name, runs in scenes.items()}
     ours = _worst(scenes, lambda defaults, _: defaults == "recommended")
     said = [f"{name}: at least {number(paper[name], 2)} times with the paper's springs, at most "
-            f"{number(ours[name], 3)} with our defaults and each of four models" for name in scenes]
+            f"{number(ours[name], 3)} with our defaults and any of four models" for name in scenes]
     return "How far large forces stretch a triangle. " + "; ".join(said)
 
 
@@ -98,7 +98,7 @@ def _claim(scenes):
                 for name in scenes for model in SPRINGS}
     whole = len(ours) == len(SCENES) and not any(np.isnan(list(ours.values())))
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
-                 f"no triangle is ever more than {MOST} times as long as at rest",
+                 f"no triangle is ever stretched to more than {MOST} times its length at rest",
                  numbers, all(ours[name] <= MOST for name in SCENES) if whole else None,
-                 note="Where pins are snatched away, inertia alone stretches the triangle at a corner to "
-                 "1.245 times its length, so that this membrane cannot keep to the bound.")
+                 note="When pins move abruptly, inertia alone stretches the triangle at a corner to 1.245 "
+                 "times its length, so this membrane cannot keep within the limit.")

@@ -1,4 +1,4 @@
-"""From runs to the cells of a verdict map: what is open, what diverged, which runs may be compared."""
+"""Makes the cells of a verdict map (tables/claim_map.py) from runs, and chooses the runs to compare."""
 from dataclasses import replace
 
 import numpy as np
@@ -9,12 +9,12 @@ from runs.repeat import commands
 
 
 class NotMeasured(Exception):
-    """A number that a verdict needs is missing or not finite."""
+    """A verdict needs a number that is missing or not finite."""
 
 
 def cell(runs, judge):
-    """The cell of these runs; `judge` gives its text and whether it holds. It is open unless every run is
-    over and every number finite. A run that diverged fails, whatever the claim."""
+    """The cell of these runs. `judge` returns the text of the cell, and whether the claim holds there. If a
+    run or a number is missing, the cell is open. If a run diverged, the cell fails, for every claim."""
     made = Cell("not run", None, "\n".join(commands(runs)), seeds(runs), open=True)
     if not runs or not all(run.over for run in runs):
         return made
@@ -31,7 +31,7 @@ def cell(runs, judge):
 
 
 def median(runs, name, offset=0):
-    """Median of a summary entry over runs. NotMeasured if one of them lacks it."""
+    """Median of a metric over runs, minus `offset`. NotMeasured if a run lacks the metric."""
     values = [run.summary.get(name, np.nan) for run in runs]
     if not values or not np.isfinite(values).all():
         raise NotMeasured(name)
@@ -43,24 +43,23 @@ def seeds(runs):
 
 
 def same_seeds(groups):
-    """The groups without the runs whose seed not every group has."""
+    """The groups, reduced to the seeds that occur in every group."""
     common = set.intersection(*(set(seeds(runs)) for runs in groups))
     return [[run for run in runs if run.get("/initial/seed") in common] for runs in groups]
 
 
 def noted(made, runs):
-    """The cell; its text names its seeds if `runs` have further seeds, which were left out."""
+    """Adds the seeds of a cell to its text, if `runs` contain other seeds, too."""
     if made.holds is not None and made.seeds != seeds(runs):
         made.text += f" ({made.seeds_text})"
     return made
 
 
 def rows(groups, needed):
-    """Rows of places that differ in N alone: [{place: runs}], each from coarse to fine. `groups`: place →
-    runs.
+    """Rows [{place: runs}] of places that differ only in N, sorted by N. `groups`: place → runs.
 
-    All rows have the same N, so that their verdicts mean the same: the N of `needed`, and finer N that every
-    row has. Where a row lacks an N, its runs are None. Within a row all places have the same seeds.
+    Verdicts of rows are comparable, because all rows have the same N: those of `needed`, and finer N that
+    exist in every row. If a row lacks an N, the runs are None. All places of a row have the same seeds.
     """
     by_row = group(groups, lambda place: (place.rounding, place.damping, place.solver, place.pins)).values()
     shared = set.intersection(*({place.cells for place in row} for row in by_row)) if by_row else set()
@@ -75,10 +74,10 @@ def _row(groups, places, compared):
 
 
 def row_cells(row, groups, number, show, verdict):
-    """The cells of a row: each cell has its own number, and all cells have the same verdict.
+    """The cells of a row. Each cell has its own number, but all cells have one verdict.
 
-    number(runs) measures; show(number) is its text; verdict(numbers) judges all numbers, from coarse to fine.
-    `groups` has the runs with all seeds.
+    number(runs) measures the number of a cell, show(number) is its text, and verdict(numbers) judges all
+    numbers of the row, from coarse to fine meshes. `groups` has the runs with all seeds.
     """
     def judge():
         if None in row.values():

@@ -1,4 +1,4 @@
-"""The rules of the verdict maps: what makes a cell of each claim hold."""
+"""The rules of the verdict maps: for each claim, under which condition a cell holds."""
 from dataclasses import replace
 
 import numpy as np
@@ -10,24 +10,24 @@ from runs.distance import at_rest, in_first_second
 from bendlab.results.load import group
 from figures.paper.map_cells import NotMeasured, cell, median, noted, row_cells, rows, same_seeds
 
-WRONG = 1.0  # stretch − 1: a triangle is twice as long as at rest
-SOUND_STRAIN = 0.1  # mean strain; woven cloth stretches by less than a tenth as it is worn
-SAME_DROP = 0.05
-SAME_STIFFNESS = 1.25  # largest over smallest
-SEEN = 0.01  # RMS distance of two sheets, in sizes: a smaller one is hardly seen
-REDUCED = 1.25  # a stretch that falls by a smaller factor is not reduced
-SHEETS, STRIPS = (16, 32, 64), (12, 24, 48)  # the N that every row has
+WRONG = 1.0  # stretch − 1 of a triangle that is twice as long as at rest
+SOUND_STRAIN = 0.1  # mean strain; clothes of woven cloth stretch by less than a tenth when worn
+SAME_DROP = 0.05  # of the smallest drop
+SAME_STIFFNESS = 1.25  # largest stiffness over smallest
+SEEN = 0.01  # RMS distance of two sheets, in sizes; smaller distances are hardly visible
+REDUCED = 1.25  # if a stretch falls by a smaller factor, this counts as no reduction
+SHEETS, STRIPS = (16, 32, 64), (12, 24, 48)  # the N of every row
 STRIP_PIN = "one side of the strip"
-ONE_VERDICT = "All N of a row get the same verdict; a row that lacks one of them is open"
+ONE_VERDICT = "All N of a row have one verdict. If runs of an N are missing, the row is open"
 
 
 def wrong_at_the_pin(groups):
     claim = ClaimMap(
         "1", "이러한 문제는 정점 하나를 고정시킬 때 명확하게 나타난다.",
-        "The problem (triangles at the pin that are stretched in a wrong direction) shows clearly when a "
+        "The problem (triangles at the pin are stretched in a wrong direction) is clearly visible when a "
         "single vertex is fixed.",
-        "crossover springs, with the corner alone pinned, stretch a triangle at the pin to more than twice "
-        "its length at rest: the largest stretch − 1 there, as median over the last second, is above 1",
+        "with crossover springs and only the corner pinned, a triangle at the pin is more than twice its "
+        "length at rest: the largest stretch − 1 at the pin, as median over the last second, is above 1",
         "largest stretch − 1 at the pin", of_torn=True)
     for place, runs in groups.items():
         if place.pins == "the corner alone":
@@ -39,10 +39,10 @@ def wrong_at_the_pin(groups):
 def fails_with_resolution(groups):
     claim = ClaimMap(
         "5a", "저해상도 옷감 결과에서는 잘되는 것처럼 보이지만, 해상도가 증가하면 고정된 포인트들 주변에서 발생하는 비정상적인 변형률로 인해 불안정한 결과가 나타난다.",
-        "Crossover springs seem to work at low resolution; as resolution rises, abnormal strain around the "
+        "Crossover springs seem to work at low resolution. At higher resolution abnormal strain around the "
         "pinned points makes the result unstable.",
         "with crossover springs the largest stretch − 1 around the pin (within a tenth of the sheet's size, "
-        "median over the last second) rises with every step in N, and is above 1 at the finest N. "
+        "median over the last second) rises with every increase of N, and is above 1 at the largest N. "
         + ONE_VERDICT, "largest stretch − 1 around the pin", of_torn=True)
     worsens = lambda values: values[-1] > WRONG and all(b > a for a, b in zip(values, values[1:]))
     for row in rows(groups, SHEETS):
@@ -57,7 +57,7 @@ def normal_cloth(groups):
         "Our method showed normal cloth at every resolution.",
         "with adaptive springs no triangle is more than twice its length at rest (largest stretch − 1 "
         f"anywhere at most 1), and the mean strain is at most {SOUND_STRAIN}, both as medians over the last "
-        "second", "largest stretch − 1 anywhere; in brackets the mean strain")
+        "second", "largest stretch − 1 anywhere (in brackets: mean strain)")
     for place, runs in groups.items():
         claim.cells[place] = cell(runs, lambda: _sound(median(runs, "max_stretch", 1),
                                                        median(runs, "mean_strain")))
@@ -70,7 +70,7 @@ def _sound(most, mean):
 
 
 def _against(value, limit):
-    """The value with as many digits as show on which side of the limit it is."""
+    """The value as text, with enough digits to see whether it is above the limit."""
     for digits in (2, 3, 4, 8):
         rounded = float(f"{value:.{digits - 1}e}")
         if rounded != limit and (rounded < limit) == (value < limit):
@@ -85,14 +85,15 @@ def equally_stiff(runs):
     claim = ClaimMap(
         "5b", STIFFNESS_SENTENCE,
         "The stiffness did not change with the resolution (measured as the stiffness of a strip).",
-        "strips of adaptive springs, clamped on one side and hanging at rest under their own weight, have "
-        f"nearly the same flexural rigidity B at every N: the largest B is at most {SAME_STIFFNESS} times "
-        "the smallest", "largest B over smallest; in brackets B in µN m, from the coarsest N to the finest",
-        note="A strip is 20 cm long and 12.5 cm wide; N is the number of cells along it, clamp included. B "
-        "follows from how far the free end hangs down and how far it reaches out, as on the stiffness page. "
-        "Gravity is a tenth, so that even the limpest strip has a shape to measure. Where m is 1, free "
-        "vertices have springs to their neighbours only, so that the springs of the clamp alone resist "
-        "bending.")
+        "strips of adaptive springs are clamped on one side and hang at rest under their own weight. Their "
+        f"flexural rigidity B is nearly equal at every N: the largest B is at most {SAME_STIFFNESS} times "
+        "the smallest", "largest B over smallest B (in brackets: B in µN m, from the smallest N to the "
+        "largest)",
+        note="A strip is 20 cm long and 12.5 cm wide. N is the number of cells along the strip, with the "
+        "clamp. B is computed from the height and the reach of the free end, as on the stiffness page. "
+        "Gravity has a tenth of its usual value, so that even the softest strip has a measurable shape. If "
+        "m is 1, free vertices have springs only to their neighbours, so only the springs of the clamp "
+        "resist bending.")
     for (rounding, solver), own_runs in group(runs, lambda run: (rounding_of(run), solver_of(run))).items():
         own_runs = sorted(own_runs, key=strips.cells)
         cells = f"{STRIPS[0]} to {strips.cells(own_runs[-1])}"
@@ -116,9 +117,9 @@ def equal_drop(groups):
         "The stiffness did not change with the resolution (judged by the drop of the sheet).",
         "with adaptive springs and viscous drag the drop of the sheet differs by at most "
         f"{100 * SAME_DROP:.0f} % between all N. {ONE_VERDICT}", "drop in m",
-        note="The drop shows the sheet's look rather than its stiffness: a stretched sheet hangs lower, and "
-        "a limp one by its whole diagonal, 1.41 m. Without damping the sheet swings, so that its drop "
-        "depends on the moment: those runs are left out.")
+        note="The drop shows how the sheet looks, and not its stiffness. A stretched sheet hangs lower; a "
+        "sheet without stiffness hangs down by its diagonal, 1.41 m. Without damping the sheet swings and "
+        "the drop changes all the time, so runs without damping are left out.")
     same = lambda values: max(values) <= (1 + SAME_DROP) * min(values)
     at_rest_ones = {place: runs for place, runs in groups.items() if place.damping == "viscous drag"}
     for row in rows(at_rest_ones, SHEETS):
@@ -129,14 +130,14 @@ def equal_drop(groups):
 def springs_rather_than_ring(crossover, adaptive):
     claim = ClaimMap(
         "5", "", "Our question, not the paper's: more than half of the reduction of the stretch at the pin "
-        "is the springs' work, not the pinned ring's.",
-        "the springs contribute more than half (of the logarithm) of the reduction of the largest stretch − "
-        "1 around the pin, from crossover springs with the corner alone pinned to adaptive springs with its "
-        "1-ring pinned, too", "the springs' share of the reduction",
-        note="The paper's sheets have both the springs and the pinned ring; the paper does not say what each "
-             "contributes. The springs' part is the mean of their reductions with the corner alone pinned "
-             "and with its 1-ring pinned. “No reduction”: both together reduce the stretch by less than a "
-             f"factor of {REDUCED}, so that there is nothing to share.")
+        "is caused by the springs, and not by the pinned ring.",
+        "the largest stretch − 1 around the pin is smaller with adaptive springs and a pinned 1-ring than "
+        "with crossover springs and only the corner pinned. The springs cause more than half of the "
+        "logarithm of this reduction", "the springs' share of the reduction",
+        note="The paper's sheets have both the springs and the pinned ring. The paper does not say how much "
+             "the springs and the ring contribute. The part of the springs is the mean of two reductions: "
+             "with only the corner pinned, and with its 1-ring pinned, too. “No reduction”: springs and "
+             f"ring together reduce the stretch by less than a factor of {REDUCED}.")
     for place, runs in adaptive.items():
         alone = replace(place, pins="the corner alone")
         wanted = [(crossover, replace(alone, rounding="")), (crossover, replace(place, rounding="")),
@@ -149,11 +150,11 @@ def springs_rather_than_ring(crossover, adaptive):
 
 
 def _share(crossover_alone, crossover_ring, adaptive_alone, adaptive_ring):
-    """The springs' share of what springs and ring do together, and whether it is more than half."""
+    """The springs' share of the reduction as text, and whether it is more than half."""
     levels = [median(runs, "pin_region_stretch", 1)
               for runs in (crossover_alone, crossover_ring, adaptive_alone, adaptive_ring)]
     if min(levels) <= 0:
-        raise NotMeasured("the logarithm of a stretch below that at rest")
+        raise NotMeasured("the logarithm of a stretch − 1 that is not positive")
     neither, ring, springs, both = np.log(levels)
     whole, part = neither - both, ((neither - springs) + (ring - both)) / 2
     if whole <= np.log(REDUCED):
@@ -166,7 +167,7 @@ def _share(crossover_alone, crossover_ring, adaptive_alone, adaptive_ring):
 
 
 def _variants(runs, key):
-    """Place → {variant: runs}, by the value of `key`."""
+    """Place → {key(run): runs}."""
     variants = {}
     for run in runs:
         place = place_of(run)
@@ -176,9 +177,9 @@ def _variants(runs, key):
 
 
 def _apart(runs, other_runs, damping, where=slice(None)):
-    """Median distance of two groups of runs in sizes of the sheet, over pairs with different seeds. It is the
-    distance at rest, or without damping that of the motion in the first second. NotMeasured without such a
-    pair."""
+    """Median distance of two groups of runs in sizes of the sheet, over pairs with different seeds. With
+    damping the cloths at rest are compared, without damping the motions in the first second. NotMeasured if
+    no pair has different seeds."""
     distance = at_rest if damping == "viscous drag" else in_first_second
     pairs = [distance(a, b, where) for a in runs for b in other_runs
              if a.get("/initial/seed") != b.get("/initial/seed")]
@@ -187,22 +188,22 @@ def _apart(runs, other_runs, damping, where=slice(None)):
     return float(np.median(pairs))
 
 
-HOW_FAR = ("Distances are RMS over the vertices, in sizes of the sheet. With viscous drag the last frames "
-           "are compared, after the turn about the vertical that makes the distance smallest. Without "
-           "damping, distances at equal times are averaged over the first second.")
+HOW_FAR = ("Distances are root mean squares over the vertices, in sizes of the sheet. With viscous drag the "
+           "last frames are compared, after the rotation about the vertical that makes the distance "
+           "smallest. Without damping, distances at equal times are averaged over the first second.")
 
 
 def lod_looks_the_same(runs):
     claim = ClaimMap(
         "6", "LOD를 사용하지 않은 굽힘 스프링 구조와 LOD기반 스프링 구조의 시각적 차이는 거의 발생하지 않았지만, 20% 적은 개수의 굽힘 스프링만을 사용하였다.",
-        "There was hardly any visual difference between the structures without and with LOD, which used 20 % "
-        "fewer springs.",
-        "the distance of the sheet with 15 to 25 % fewer springs (LOD at some level t) from one with all "
-        f"springs is at most 1.25 times that of two seeds with all springs, or at most {100 * SEEN:.0f} % of "
-        "the size",
-        "distance from the sheet with all springs; in brackets that of two seeds with all springs",
-        note=HOW_FAR + " At N = 64, t = 5 has 17 % fewer springs if m is rounded; if m is rounded down, no "
-        "level has 15 to 25 % fewer, so that there are no boxes.")
+        "There was hardly any visual difference between the structures without LOD and with LOD, although "
+        "LOD used 20 % fewer springs.",
+        "a sheet with 15 to 25 % fewer springs (LOD with a ring t) has a distance from a sheet with all "
+        "springs of at most 1.25 times the distance of two seeds with all springs, or of at most "
+        f"{100 * SEEN:.0f} % of the size",
+        "distance from the sheet with all springs (in brackets: of two seeds with all springs)",
+        note=HOW_FAR + " At N = 64, t = 5 has 17 % fewer springs if m is rounded. If m is rounded down, no "
+        "ring t has 15 to 25 % fewer springs, so there are no boxes.")
     for place, kinds in _variants(runs, lambda run: run.get("/bending/lod/t", "full")).items():
         full = kinds.pop("full", [])
         level = _twenty_percent_fewer(kinds, full)
@@ -214,7 +215,7 @@ def lod_looks_the_same(runs):
 
 
 def _twenty_percent_fewer(kinds, full):
-    """The level whose springs are nearest to 20 % fewer than all, of those with 15 to 25 % fewer; or None."""
+    """The ring t whose saving of springs is nearest to 20 %. None if no saving is between 15 and 25 %."""
     fewer = {}
     for level, own_runs in kinds.items():
         try:
@@ -239,10 +240,10 @@ def material_changes(runs):
         "7", "Fig 7은 우리의 방법을 이용하여 옷감의 재질을 변화시킨 결과이다.",
         "Scaling n changes the material of the cloth.",
         "the distance of the sheets with n × 1 and n × 4 is more than twice that of two seeds with n × 1, "
-        f"and more than {100 * SEEN:.0f} % of the size. Only vertices count that are outside the zone around "
-        "the pin which the longer springs of n × 4 stiffen by themselves",
-        "distance of n × 1 and n × 4 outside that zone; in brackets over the whole sheet, and that of two "
-        "seeds outside the zone", note=HOW_FAR)
+        f"and more than {100 * SEEN:.0f} % of the size. Vertices near the pin are left out, because the "
+        "longer springs of the pin with n × 4 stiffen this zone directly",
+        "distance of n × 1 and n × 4 outside the zone (in brackets: over the whole sheet; of two seeds "
+        "outside the zone)", note=HOW_FAR)
     for place, kinds in _variants(runs, _multiplier).items():
         if {1, 4} <= set(kinds):
             claim.cells[place] = cell(kinds[1] + kinds[4],
@@ -263,7 +264,7 @@ def no_abnormal_deformation(runs):
         "7", "비정상적인 변형을 없이 안정적으로 재질 변화 제어가 가능하다.",
         "The material can be controlled stably, without abnormal deformation.",
         "with n × 1, n × 2 and n × 4 no triangle anywhere is more than twice its length at rest, as median "
-        "over the last second", "largest stretch − 1 anywhere, in the worst of the three")
+        "over the last second", "largest stretch − 1 anywhere, of all three n")
     for place, kinds in _variants(runs, _multiplier).items():
         if {1, 2, 4} <= set(kinds):
             worst = lambda: max(median(kinds[n], "max_stretch", 1) for n in (1, 2, 4))
@@ -277,7 +278,7 @@ def _multiplier(run):
 
 
 def _outside_zone(run):
-    """(V) whether a vertex at rest is farther from the pin than the n-ring of the pinned vertices reaches."""
+    """(V) whether a vertex at rest lies outside the n-ring of the pinned vertices."""
     rest, pins = run.rest_positions, run.pin_seeds
     reach = (run.summary["model_n"] + 1) * run.get("/mesh/width") / run.get("/mesh/cells") * np.sqrt(2)
     return np.linalg.norm(rest - rest[pins[0]], axis=1) > reach

@@ -1,4 +1,4 @@
-"""The verdict maps: for which answers to the paper's open questions each of its claims holds."""
+"""The verdict maps: for which answers to the paper's open questions a claim of the paper holds."""
 from figures.paper import map_rules as rules
 from tables.claim_map import SOLVERS, Place, places
 from bendlab.results.load import select
@@ -10,24 +10,23 @@ PIN_CONFIGS = ["paper/map", "paper/map_64", "paper/map_64_rest", "paper/map_seed
 LOD_CONFIGS = ["paper/map_lod", "paper/map_lod_rest_full"]
 N_CONFIGS = ["paper/map_n", "paper/map_n_rest_full"]
 STRIP_CONFIGS = ["paper/map_strip", "paper/map_strip_full"]
-TEXT = ("A map has one box for each combination of answers to the questions that the paper leaves open: how "
-        "m becomes an integer, what is pinned, how much work the solver does, and how motion is damped. In a "
-        "blue box the claim holds, in an orange box it fails; a box with a diverged run fails. Where a "
-        "claim says that cloth tears, orange boxes are torn, and there the claim holds. A grey box has no "
-        "verdict, and says why; a dash means that there is no such run. At N = 16 the patch of 5 cm has only "
-        "the corner in it, at N = 32 the corner and its 1-ring, and at N = 16 m is 1 either way: such boxes "
-        "show the same cloth. With viscous drag (1 N s/m³, about the drag of air) the sheet comes nearly to "
-        "rest, so that shapes can be compared. Without damping it swings, and numbers are medians over the "
-        "last second. At 1 × 10 it is then chaotic, too: numbers up to N = 64 are medians over the seeds 1 "
-        "to 5. A verdict that compares them with a finer mesh takes seed 1 alone, and its boxes say so. Fig. "
-        "6 and 7 have the seeds 1 and 2, all other boxes have seed 1. With 256 × 1 the strain has converged: "
-        "the cloth no longer stretches. Its bending never converges with the paper's k, because each "
-        "projection of a spring takes away the share k of its error: the more projections, the stiffer the "
-        "cloth.")
+TEXT = ("The paper leaves some questions open: how m becomes an integer, what is pinned, how much work the "
+        "solver does, and how motion is damped. A map has one box for each combination of answers. In a "
+        "blue box the claim holds, in an orange box it fails. A box with a diverged run fails. If the claim "
+        "says that cloth tears, orange means torn, and the claim holds there. A grey box has no verdict, and "
+        "states the reason. A dash means that there is no such run. Some boxes show the same cloth: at N = "
+        "16 the patch of 5 cm contains only the corner, at N = 32 the corner and its 1-ring, and at N = 16 "
+        "both roundings give m = 1. With viscous drag (1 N s/m³, about the drag of air) the sheet comes "
+        "nearly to rest, so shapes can be compared. Without damping the sheet swings, and numbers are "
+        "medians over the last second. Without damping and at 1 × 10 the motion is also chaotic, so numbers "
+        "up to N = 64 are medians over the seeds 1 to 5. If a verdict compares several N, and the largest N "
+        "has only seed 1, the boxes of this verdict use only seed 1 and say so. Fig. 6 and 7 have the seeds "
+        "1 and 2, all other boxes have seed 1. With 256 × 1 the strain has converged: the cloth no longer "
+        "stretches. Bending never converges with the paper's k, because each projection of a spring removes "
+        "the share k of its error. So more projections make the cloth stiffer.")
 
 
 def main(results, out, section):
-    """Computes the maps. They are tables: there is no picture."""
     (pin, pin_less), (lod, lod_less), (n, n_less), (strip, strip_less) = (
         _runs(section, results, configs) for configs in (PIN_CONFIGS, LOD_CONFIGS, N_CONFIGS, STRIP_CONFIGS))
     crossover, adaptive = (places(select(pin, bending__model=model)) for model in ("crossover", "adaptive"))
@@ -42,14 +41,14 @@ def main(results, out, section):
 
 
 def _known(maps, less):
-    """Sets in the maps whether cells of --full are left out, and returns the maps."""
+    """Sets `left_out` of the maps (whether boxes of --full are not computed), and returns the maps."""
     for claim_map in maps:
         claim_map.left_out = less
     return maps
 
 
 def _runs(section, results, configs):
-    """Every run of these configs, missing runs included; and whether a whole _full config is left out."""
+    """Returns every run of these configs (also missing runs), and whether a _full config has no runs."""
     runs, less = [], False
     for config in configs:
         experiment = load_experiment(results, config)
@@ -62,7 +61,7 @@ def _runs(section, results, configs):
 
 
 def _bending_does_not_converge(groups):
-    """A sentence with the drops of one sheet from little work to much, "" if runs are missing."""
+    """A sentence with the drops of one sheet, from little to much work. "" if runs are missing."""
     place = lambda solver: Place("rounded down", "viscous drag", solver, "the corner and its 1-ring", 16)
     try:
         drops = [median(groups.get(place(solver), []), "drop") for solver in SOLVERS.values()]

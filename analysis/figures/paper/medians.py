@@ -1,9 +1,9 @@
-"""Medians over seeds as rows of tables. A metric is (name in a summary, offset, label)."""
+"""Medians over seeds, as rows of tables. A metric is (name in the summary, offset, label)."""
 from bendlab.results.load import statuses, summary_spread
 
 
 def row(runs, metrics):
-    """The median of each metric over the runs, minus its offset, with the smallest and largest value."""
+    """A row with the median, the smallest and the largest value of each metric, minus its offset."""
     entries = {"status": ", ".join(f"{count} {status}" for status, count in statuses(runs).items())
                or "missing"}
     for name, offset, _ in metrics:
@@ -12,12 +12,11 @@ def row(runs, metrics):
 
 
 def cells(name, spread):
-    """A Spread as the cells of a row."""
+    """The values in a row for one Spread."""
     return {name: spread.median, f"{name}_low": spread.low, f"{name}_high": spread.high,
             f"{name}_range": (spread.low, spread.high)}
 
 
 def columns(metrics):
-    """The columns of row()."""
     return [column for name, _, label in metrics
             for column in ((name, label), (f"{name}_range", "from – to"))]

@@ -1,4 +1,6 @@
-"""Every bending model on the same two scenes: the hanging sheet of Fig. 5 and a clamped strip."""
+"""Every bending model in two scenes: the hanging sheet of Fig. 5, and a clamped strip. For the matched runs
+of the strip, the compliances of the models are chosen for one flexural rigidity.
+"""
 import numpy as np
 
 from draw import cloth
@@ -9,40 +11,40 @@ from tables.chart import Chart
 from tables.table import Table
 from runs.sweeps import load_experiment
 
-# mean strain; below HOLDS a sheet holds together, above TORN it is more than twice as long
+# Mean strains. Below HOLDS a sheet counts as intact, above TORN as torn (more than twice as long).
 HOLDS, TORN = 0.1, 1
 
 
 def main(results, out, section):
-    """Draws the cloth of every model; charts its cost, and the side view of the clamped strip."""
     sheet = load_experiment(results, "models/hanging_sheet")
     strips = [load_experiment(results, f"models/{name}") for name in ("cantilever", "cantilever_rigidity")]
     section.text = sheet.settings["description"]
     if section.uses(sheet):
-        section.pictures.append((_sheet(sheet, out), f"{sheet_title(*_grid(sheet))}. The last frame of the "
-                                 "seed nearest to the median; cloths of a row have one scale. Number on the "
-                                 "cloth: mean strain, median of the last second."))
+        section.pictures.append((_sheet(sheet, out), f"{sheet_title(*_grid(sheet))}. The pictures show the "
+                                 "last frame of the seed nearest to the median. A row has one scale. The "
+                                 "number in a picture is the mean strain, as median over the last second."))
     runs = [run for strip in strips for run in section.uses(strip)]
     section.tables += [_sheet_table(sheet), _strip_table(runs), _profiles(runs), _elastica_table(runs)]
     section.charts = [
         Chart("models_cost", "What a step of the hanging sheet costs", "models", "name",
               ["strain", "bending", "rest"], kind="bars", note="Cost of one step of 1/60 s on one thread, "
-              "minimum over seeds, in ms."),
+              "in ms: the minimum over seeds."),
         Chart("models_cantilever", strip_title(runs), "profiles", "distance", ["height"], held=["stiffness"],
               at="compliance", scale="linear", y_scale="linear", theory="elastica",
               note=" ".join(strip.settings["description"] for strip in strips))]
 
 
 def name_of(run):
-    """Name of a run's model; for k_ring with its ring."""
+    """Name of a run's model. The name of k_ring contains k."""
     return looks.model_name(run.model, run.get("/bending/k_ring/k"))
 
 
 def cost(runs):
-    """ms per step by pass, ns per bending constraint and projection, constraints per vertex; minima over
-    runs.
+    """ms per step for each pass, ns per projection of a bending constraint, and bending constraints per
+    vertex. Times are minima over runs.
 
-    Passes share the run's processor time in proportion to their wall time, which other programs disturb more.
+    The processor time of a run is divided among the passes in proportion to their wall times. Other programs
+    disturb wall times more than processor times.
     """
     settings = runs[0].config["solver"]
     steps = runs[0].metrics["time"][-1] / settings["dt"]
@@ -55,7 +57,7 @@ def cost(runs):
 
 
 def _seconds(run, name):
-    """Processor time of a pass in s; "rest" is all of a step but the projections."""
+    """Processor time of a pass in s. The pass "rest" is a step without the projections."""
     apart = ("strain", "bending", "set_up", "recording")
     wall = sum(t for other, t in run.passes.items()
                if other not in apart) if name == "rest" else run.passes.get(name, 0)
@@ -66,7 +68,7 @@ def _seconds(run, name):
 
 
 def _grid(experiment):
-    """(substeps, models, (model, substeps) → runs); substeps and models in the order of the config."""
+    """(substeps, models, {(model, substeps): runs}), in the order of the config."""
     by_place = group(experiment.runs, lambda run: (run.model, run.get("/solver/substeps")))
     substeps = [s for s in experiment.sweep["/solver/substeps"] if any(key[1] == s for key in by_place)]
     models = [m for m in experiment.sweep["/bending/model"] if any(key[0] == m for key in by_place)]
@@ -74,7 +76,7 @@ def _grid(experiment):
 
 
 def _sheet(experiment, out):
-    """One column per model, one row per number of substeps."""
+    """Pictures: a column for each model, and a row for each number of substeps."""
     substeps, models, runs = _grid(experiment)
     rows = {}
     for s in substeps:
@@ -92,7 +94,7 @@ def _strain_text(runs):
 
 
 def sheet_title(substeps, models, runs):
-    """How many models hold the sheet together, at each number of substeps."""
+    """How many models keep the sheet intact, for each number of substeps."""
     lines = []
     for s in substeps:
         strain = {model: summary_spread(runs[model, s], "mean_strain").median for model in models
@@ -116,7 +118,7 @@ def _sheet_table(experiment):
                       for name in ("mean_strain", "max_stretch", "drop")}
                 name = name_of(own_runs[0])
                 rows.append({"model": name, "substeps": s, "name": f"{name}, {s}"} | of | cost(own_runs))
-    return Table.of("models", "The hanging sheet at 64 cells: medians over seeds, minima of times", [
+    return Table.of("models", "The hanging sheet at 64 cells: medians over seeds, but minima for times", [
         "model", "substeps", ("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
         ("drop", "drop", "", "m"),
         ("per_vertex", "bending constraints per vertex", ".2f"), ("ns", "time per projection", "", "ns"),
@@ -132,7 +134,7 @@ PROFILE = ["model", "stiffness", ("distance", "distance from the clamp", "", "cm
 
 
 def profile(run, frame=-1):
-    """(rows, 2) side view of the strip in m: distance from the clamp, height; means over rows across."""
+    """(rows, 2) side view of the strip in m: mean distance from the clamp and mean height of each row."""
     rest, positions, pinned = run.rest_positions, run.positions(frame), run.pinned
     rows = np.unique(np.round(rest[:, 0], 6), return_inverse=True)[1].ravel()
     line = np.array([positions[rows == row].mean(axis=0) for row in range(rows.max() + 1)])
@@ -141,7 +143,7 @@ def profile(run, frame=-1):
 
 
 def elastica(weight, length, rigidity, points=400):
-    """(points, 2) side view in m of a heavy strip that is clamped horizontally; weight in N/m².
+    """(points, 2) side view in m of a heavy strip that is clamped horizontally. `weight` in N/m².
 
     D θ'' + w (L - s) cos θ = 0 with θ(0) = 0, θ'(L) = 0, by shooting and bisection.
     """
@@ -166,7 +168,6 @@ def elastica(weight, length, rigidity, points=400):
 
 
 def _profiles(runs):
-    """The side views of the strip, for a chart."""
     rows = [{"model": run.model, "name": name_of(run), "stiffness": run.get("/bending/stiffness"),
              "distance": 100 * distance, "height": 100 * height}
             for run in runs for distance, height in profile(run)]
@@ -174,7 +175,7 @@ def _profiles(runs):
 
 
 def _elastica_table(runs):
-    """The heavy elastica of the matched runs, for the same chart."""
+    """The heavy elastica with the stiffness of the matched runs, for the chart of the side views."""
     truth = _truth([run for run in runs if run.get("/bending/stiffness") == "compliance"])
     rows = [] if truth is None else [{"model": "heavy elastica", "distance": 100 * distance,
                                       "height": 100 * height} for distance, height in truth[::10]]
@@ -182,13 +183,13 @@ def _elastica_table(runs):
 
 
 def rigidity_of(runs):
-    """Flexural rigidity of the matched runs in N m: the inverse of discrete_shells' compliance. None without
-    it."""
+    """Flexural rigidity of the matched runs in N m: the inverse of the compliance of discrete_shells. None
+    without such a run."""
     return next((1 / run.get("/bending/compliance") for run in runs if run.model == "discrete_shells"), None)
 
 
 def _truth(runs):
-    """The elastica of the matched runs, None if there are none."""
+    """The elastica with the stiffness of the matched runs. None without such runs."""
     rigidity = rigidity_of(runs)
     if rigidity is None:
         return None
@@ -196,12 +197,12 @@ def _truth(runs):
     x = np.unique(np.round(rest[:, 0], 6))
     free = x[-1] - np.round(rest[run.pinned, 0], 6).max()
     gravity = -run.config["effects"][0]["acceleration"][2]
-    # The first hinges that turn are at the clamp's edge: the effective clamp is half a row behind it.
+    # The hinges on the edge of the clamp bend, too. So the effective clamp ends half a row before this edge.
     return elastica(run.get("/material/density") * gravity, free + (x[1] - x[0]) / 2, rigidity)
 
 
 def strip_title(runs):
-    """The title: where the tips hang, with one k and matched."""
+    """The title: the heights of the tips with equal k, and with equal flexural rigidity (matched runs)."""
     kinds = group(runs, lambda run: run.get("/bending/stiffness"))
     truth = _truth(kinds.get("compliance", []))
     tips = {kind: {name_of(run): 100 * profile(run)[-1] for run in runs} for kind, runs in kinds.items()}
@@ -209,14 +210,14 @@ def strip_title(runs):
     if tips.get("k"):
         drops = {name: -tip[1] for name, tip in tips["k"].items()}
         low, high = (pick(drops, key=drops.get) for pick in (min, max))
-        lines.append(f"One k for all: the tip hangs between {drops[low]:.1f} cm ({low}) and "
-                     f"{drops[high]:.1f} cm ({high})")
+        lines.append(f"With equal k the tips hang between {drops[low]:.1f} cm ({low}) and "
+                     f"{drops[high]:.1f} cm ({high}) below the clamp")
     if tips.get("compliance") and truth is not None:
         matched = np.array(list(tips["compliance"].values()))
         apart = np.linalg.norm(matched[:, None] - matched[None], axis=2).max()
         off = np.linalg.norm(matched - 100 * truth[-1], axis=1).max()
-        lines.append(f"Matched: the tips of {len(matched)} models lie within {apart:.1f} cm of each other "
-                     f"and within {off:.1f} cm of the heavy elastica's tip")
+        lines.append(f"With equal rigidity the tips of {len(matched)} models lie within {apart:.1f} cm of "
+                     f"each other and within {off:.1f} cm of the tip of the heavy elastica")
     return ". ".join(lines)
 
 

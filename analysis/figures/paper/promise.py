@@ -1,8 +1,8 @@
-"""The paper's promise: Fig. 5 a third time, with the recommended settings, and the table of what it asks for.
-Whether the stiffness stays the same is measured on strips: promise_strip.py.
+"""The paper's promise: Fig. 5 with a third row for the recommended settings, and a table of the demands. The
+promise of equal stiffness is measured on strips (promise_strip.py).
 
-All three rows hang in the same medium for 4 s, after which most rest: crossover springs with the pin alone,
-the paper's adaptive springs with the pin's 1-ring, and the recommended settings with the pin alone.
+The rows: crossover springs with the pin alone, the paper's adaptive springs with the pin and its 1-ring, and
+the recommended settings with the pin alone. All sheets hang in one medium for 4 s, and most then are at rest.
 """
 import re
 
@@ -20,19 +20,18 @@ OURS, PAPER, CROSSOVER = "recommended", "paper's adaptive", "crossover"
 ROWS = {CROSSOVER: "crossover, pin alone\n(the paper's Fig. 5a)",
         PAPER: "adaptive, pin + 1-ring\n(the paper's)",
         OURS: "recommended, pin alone\n(ours)"}
-# Metric, offset, the bound of every scene and N, and what it is.
+# (metric, offset, bound for every scene and N, label)
 GOALS = [("pin_max_stretch", 1, 0.3, "stretch − 1 at the pin, at rest"),
          ("max_stretch", 1, 0.3, "stretch − 1 anywhere, at rest"),
          ("mean_strain", 0, 0.02, "mean strain, at rest")]
-EVER = ("worst_stretch", 1, "stretch − 1 anywhere, at any time")  # of the triangles of each frame
+EVER = ("worst_stretch", 1, "stretch − 1 anywhere, at any time")  # largest over all frames
 SAME_DROP = 0.02
-MOST_FRAMES = 61  # of each cloth that moves in the page
-MOVING = 32  # N of the cloths that move in the page
+MOST_FRAMES = 61  # of each moving cloth in the page
+MOVING = 32  # N of the moving cloths in the page
 MOST_CONSTRAINTS = 4  # of bending, per vertex, at N = 128
 
 
 def main(results, out, section):
-    """Draws Fig. 5 with a third row, and fills the table of the promise."""
     ours = section.uses(load_experiment(results, "recommended"))
     ours = ours + load_experiment(results, "paper/recommended_full").runs
     paper = section.uses(load_experiment(results, "paper/promise"))
@@ -43,11 +42,11 @@ def main(results, out, section):
               OURS: _in_scene(ours, "one corner")}
     if any(corner.values()):
         section.pictures.append((_sheets(corner, out), "Sheets after 4 s in a medium with about the drag of "
-                                 "air; the corner says which are at rest. The number in a panel is the "
-                                 "median over the last second, as in the tables. All panels have the same "
-                                 "camera. Back faces are bluish."))
-        section.pictures.append((_close_ups(corner, out), "The pin (dot) and its triangles in the same "
-                                 "frames, a twentieth of the sheet wide."))
+                                 "air. The text in a corner says whether a sheet is at rest. The number is a "
+                                 "median over the last second, as in the tables. All panels have one camera. "
+                                 "Back faces are bluish."))
+        section.pictures.append((_close_ups(corner, out), "The pin (dot) and the triangles around it, in the "
+                                 "last frames. The region shown is a twentieth of the sheet wide."))
     moving = {address(name): run for name, runs in corner.items() for n, run in _by_cells(runs).items()
               if n == MOVING}
     section.frames = page_frames.of_runs(moving, MOST_FRAMES)
@@ -58,7 +57,7 @@ def main(results, out, section):
 
 
 def address(name):
-    """The id of a row in the page."""
+    """The id of a row of pictures in the page."""
     return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
 
 
@@ -84,13 +83,13 @@ def _close_ups(rows, out):
 
 
 def _last_frames(rows):
-    """(name of a row, N) → (run, its last frame), up to N = 128."""
+    """(name of a row, N) → (run, index of the last frame), for N up to 128."""
     return {(name, n): (run, run.frames - 1) for name, runs in rows.items()
             for n, run in _by_cells(runs).items() if n <= 128}
 
 
 def _panels(samples, camera, metric, out, picture):
-    """Draws a row per setting and a column per N, and writes the metric into each panel."""
+    """Draws a row of panels per setting, with a panel per N, and writes the metric into each panel."""
     cells = sorted({n for _, n in samples})
     rows = {title: [cloth.Panel(samples.get((name, n)), camera, f"N = {n}",
                                 _stretch_text(samples.get((name, n)), metric), metric == "max_stretch")
@@ -99,7 +98,7 @@ def _panels(samples, camera, metric, out, picture):
 
 
 def _stretch_text(sample, metric):
-    """The number as in the page's tables and claims: median over the last second, not of the frame."""
+    """The metric as text: the median over the last second, as in tables and claims."""
     if not sample:
         return ""
     where = "pin" if metric == "pin_max_stretch" else "largest"
@@ -107,13 +106,13 @@ def _stretch_text(sample, metric):
 
 
 def _worst(runs, metric, offset):
-    """The largest value over the runs; NaN if a run lacks the metric."""
+    """The largest value of a metric, minus `offset`. NaN if a run lacks the metric."""
     return max((run.summary.get(metric, np.nan) - offset for run in runs), default=np.nan,
                key=lambda value: np.inf if np.isnan(value) else value)
 
 
 def _drop_ratio(runs, scene):
-    """Largest drop over smallest, minus 1."""
+    """Largest drop over smallest drop, minus 1, of the runs of a scene."""
     drops = [run.summary.get("drop", np.nan) for run in _in_scene(runs, scene)]
     return max(drops) / min(drops) - 1 if drops and np.isfinite(drops).all() else np.nan
 
@@ -125,17 +124,17 @@ def _ms(run):
 
 
 def _at(runs, n):
-    """The run of the scene with one pinned corner on n cells, or None."""
+    """The run with one pinned corner and n cells, or None."""
     return _by_cells(_in_scene(runs, "one corner")).get(n)
 
 
 def _least_ms(runs, n):
-    """The least CPU time per frame of the scenes on n cells, in ms: other work only adds time."""
+    """The least CPU time per frame of all scenes with n cells, in ms. (Other programs can only add time.)"""
     return min((_ms(run) for run in runs if run.get("/mesh/cells") == n), default=np.nan)
 
 
 def _goals_table(ours, paper):
-    """One row per demand of the promise: the paper's springs, ours, and the bound."""
+    """A row per demand of the promise, with values for the paper's springs and for ours, and the bound."""
     floor, rounded = (select(paper, bending__adaptive__m_rounding=rounding)
                       for rounding in ("floor", "round"))
     rows = [{"what": f"{label}, largest of all scenes and N", "paper": _worst(floor, metric, offset),
@@ -152,10 +151,11 @@ def _goals_table(ours, paper):
         paper_ms = _least_ms(floor, n)
         rows += [{"what": f"CPU time per frame, N = {n} (least of the scenes), ms", "paper": paper_ms,
                   "ours": _least_ms(ours, n), "bound": paper_ms},
-                 {"what": f"the same, m rounded to the nearest, N = {n}", "paper": _least_ms(rounded, n)}]
-    return Table.of("promise", "What the promise asks for: one corner, two corners and the curtain, on every "
-                               "N", [
-        ("what", " "), ("paper", "the paper's adaptive springs"), ("ours", "recommended"),
+                 {"what": f"CPU time per frame, m rounded to the nearest, N = {n}, ms",
+                  "paper": _least_ms(rounded, n)}]
+    return Table.of("promise", "The demands of the promise, for one corner, two corners and the curtain, on "
+                               "every N", [
+        ("what", "demand"), ("paper", "the paper's adaptive springs"), ("ours", "recommended"),
                                    ("bound", "at most")], rows)
 
 
@@ -166,8 +166,8 @@ def _iterations_table(runs):
             | {f"ms_{n}": _least_ms(own_runs, n) for n in (64, 128)}
             for iterations, own_runs in sorted(group(
                 runs, lambda run: run.get("/solver/iterations")).items())]
-    return Table.of("iterations", "The recommended settings with other numbers of iterations: largest of the "
-                                  "three scenes and of every N to 256", [
+    return Table.of("iterations", "The recommended settings with different numbers of iterations: largest "
+                                  "values of three scenes and of every N up to 256", [
                         "iterations", *((metric, label) for metric, _, *_, label in (*GOALS, EVER)),
                         *((scene, f"drop, largest over smallest − 1: {scene}", ".1f", "%")
                           for scene in SCENES),
@@ -187,7 +187,7 @@ def _numbers_table(runs, name):
 
 
 def _is_whole(runs):
-    """Whether each scene was run on the same N, N = 128 among them, to its end."""
+    """Whether all runs are complete, and all scenes have runs with the same N, also with N = 128."""
     cells = [sorted(_by_cells(_in_scene(runs, scene))) for scene in SCENES]
     return 128 in cells[0] and cells[0] == cells[1] == cells[2] and all(run.complete for run in runs)
 
@@ -204,7 +204,7 @@ def _sound_claim(ours, corner):
                 _worst([run for run in runs if run.get("/mesh/cells") == 128], "max_stretch", 1)
                 for name, runs in corner.items()}
     cells = sorted({run.get("/mesh/cells") for run in ours})
-    return Claim("5", "Cloth that does not fail at a pin, nor elsewhere, when its mesh is refined (the "
+    return Claim("5", "Cloth fails neither at a pin nor elsewhere if its mesh is refined (the "
                  "paper's promise, with our recommended settings).",
                  f"at rest, in the three scenes on {min(cells, default=0)} to {max(cells, default=0)} cells, "
                  "no stretch − 1 is above 0.3 and no mean strain above 0.02",
@@ -217,7 +217,7 @@ def _cost_claim(ours, paper):
         least = {name: _least_ms(runs, n) for name, runs in (("recommended", ours), ("paper", paper))}
         numbers |= {f"{name}, N = {n}: CPU ms per frame": value for name, value in least.items()}
         holds.append(least["recommended"] <= least["paper"])
-    return Claim("5", "At no more cost than the paper's adaptive springs (the paper's promise, with our "
-                 "recommended settings).", "the least CPU time per frame of the three scenes is no more than "
-                 "that of the paper's springs, m rounded down, on 64 and on 128 cells", numbers,
+    return Claim("5", "This costs no more time than the paper's adaptive springs (the paper's promise, with "
+                 "our recommended settings).", "the least CPU time per frame of the three scenes is at most "
+                 "that of the paper's springs with m rounded down, on 64 and on 128 cells", numbers,
                  all(holds) if _is_whole(ours) and _is_whole(paper) else None)

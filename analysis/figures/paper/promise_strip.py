@@ -1,9 +1,10 @@
-"""Whether the recommended cloth is as stiff at every resolution: strips, clamped along one side.
+"""Whether the recommended cloth is equally stiff at every resolution, measured on strips that are clamped
+along one side.
 
-The defaults take implicit steps, which couple the whole strip. A projection moves the four vertices of a
-hinge only, so that bending travels from triangle to triangle. In a substep h it passes on at most a rigidity
-of about ρ a⁴ / h² (a: edge length, ρ: mass per area): the share of the stated rigidity that the strip then
-has depends on substeps / N² alone.
+With the defaults (implicit steps) a step solves for all vertices together. A projection moves only the four
+vertices of a hinge, so bending spreads from triangle to triangle. With edge length a, mass per area ρ and
+substeps of h, projections give a strip a rigidity of at most about ρ a⁴ / h². So the share of the stated
+rigidity depends on substeps / N² alone.
 """
 import numpy as np
 
@@ -14,12 +15,11 @@ from tables.section import Claim
 from tables.table import Table
 from runs.sweeps import load_experiment
 
-GOAL = 1.05  # largest stiffness over smallest, N = 12 to 96
-DEFAULTS, FINER = "the defaults", "the same, membrane_error 0.001"
+GOAL = 1.05  # largest stiffness over smallest, for N = 12 to 96
+DEFAULTS, FINER = "the defaults", "the defaults, membrane_error 0.001"
 
 
 def main(results, out, section):
-    """Draws the measured share of the stated rigidity over resolution, and judges the promise by it."""
     ours = section.uses(load_experiment(results, "paper/recommended_strip"))
     projected = section.uses(load_experiment(results, "paper/strip_substeps"))
     projected = projected + load_experiment(results, "paper/strip_substeps_full").runs
@@ -34,8 +34,8 @@ def main(results, out, section):
             "promise_strip", _title(shares), "strips", "N", ["measured", "estimated"], ["solver"],
             scale="log2",
             y_scale="log", look="", limits=[("measured", 1, "as stated")],
-            note="Measured flexural rigidity over the stated rigidity, 10⁻⁵ N m; and what the program "
-                 "estimates for projections, without measuring (effective_bending_stiffness)."))
+            note="Measured flexural rigidity over the stated rigidity of 10⁻⁵ N m; and the program's "
+                 "estimate of this ratio for projections (effective_bending_stiffness)."))
     section.claims += [_claim(shares), _scaling_claim(substeps)]
 
 
@@ -56,7 +56,7 @@ def _name(solver):
 
 
 def spread_of(by_cells):
-    """Largest share over smallest; NaN where a strip was not measured."""
+    """Largest share over smallest share. NaN if a strip was not measured."""
     values = np.array([measured for measured, *_ in by_cells.values()])
     return values.max() / values.min() if np.isfinite(values).all() and len(values) > 1 else np.nan
 
@@ -77,19 +77,19 @@ def _table(shares):
     rows = [{"solver": _name(solver), "N": n, "measured": measured, "estimated": estimated, "ms": ms}
             for solver, by_cells in shares.items() for n, (measured, estimated, ms) in by_cells.items()]
     return Table.of("strips", "Share of the stated rigidity", [
-        "solver", ("N", "cells along the strip, N"), ("measured", "rigidity over stated rigidity"),
-        ("estimated", "estimated by the program"), ("ms", "CPU time per frame", "", "ms")], rows)
+        "solver", ("N", "cells along the strip, N"), ("measured", "measured over stated rigidity"),
+        ("estimated", "estimate of the program"), ("ms", "CPU time per frame", "", "ms")], rows)
 
 
 def _claim(shares):
     numbers = {f"largest rigidity over smallest, {_name(solver)}": spread_of(by_cells)
                for solver, by_cells in shares.items()}
     ours = shares.get(DEFAULTS, {})
-    numbers["share of the stated rigidity, smallest, the defaults"] = min(
+    numbers["smallest share of the stated rigidity, the defaults"] = min(
         (measured for measured, *_ in ours.values()), default=np.nan)
     cells = sorted({n for by_cells in shares.values() for n in by_cells})
     spread = spread_of(ours)
-    return Claim("5", "Cloth that does not change its stiffness when its mesh is refined (the paper's "
+    return Claim("5", "The stiffness of cloth does not change if its mesh is refined (the paper's "
                  "promise, with our recommended settings).",
                  f"on strips of {min(cells, default=0)} to {max(cells, default=0)} cells the largest "
                  f"rigidity is at most {GOAL} times the smallest, with the defaults",
@@ -97,15 +97,15 @@ def _claim(shares):
 
 
 def _scaling_claim(shares):
-    """How far the shares of runs by projections, {substeps: {N: …}}, with the same substeps / N² differ."""
+    """How much the shares of strips with equal substeps / N² differ. `shares`: {substeps: shares_of()}."""
     of_ratio = {}
     for substeps, by_cells in shares.items():
         for n, (measured, *_) in by_cells.items():
             of_ratio.setdefault(substeps / n**2, []).append(measured)
     pairs = [values for values in of_ratio.values() if len(values) > 1 and np.isfinite(values).all()]
     worst = max((max(values) / min(values) - 1 for values in pairs), default=np.nan)
-    return Claim("5, ours", "By projections, what a strip has of its stated rigidity depends on "
+    return Claim("5, ours", "With projections, the share of the stated rigidity that a strip has depends on "
                  "substeps / N² alone.",
-                 "shares of strips with the same substeps / N² differ by at most 5 %",
+                 "the shares of strips with equal substeps / N² differ by at most 5 %",
                  {"groups compared": len(pairs), "largest difference": worst},
                  None if np.isnan(worst) else bool(worst <= 0.05))

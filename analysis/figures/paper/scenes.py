@@ -1,4 +1,4 @@
-"""Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself."""
+"""The scenes of configs/scenes with several bending models: wind, obstacles, moving pins, self-contact."""
 from dataclasses import dataclass, replace
 
 import matplotlib.pyplot as plt
@@ -17,11 +17,11 @@ from runs.sweeps import load_experiment
 
 @dataclass(frozen=True)
 class View:
-    """Time, colour and direction of a scene's picture."""
+    """Time, colour and view direction of the picture of a scene."""
 
     time: float  # s
     colour: tuple  # sRGB of the fabric
-    azimuth: float = -62.0  # degrees, of the eye
+    azimuth: float = -62.0  # of the eye, degrees
     elevation: float = 14.0
 
 
@@ -34,13 +34,12 @@ SCENES = {
     "folded_stack": View(1.2, (0.86, 0.66, 0.32), azimuth=-72, elevation=16),
     "chair": View(4.0, (0.80, 0.50, 0.36), azimuth=-56, elevation=22),
 }
-LOOKS = 40  # frames at which a run's distance from its obstacles is measured
-ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
-DPI = 125  # keeps the sheet below 900 kB
+LOOKS = 40  # number of frames in which the distance of a cloth from its obstacles is measured
+ASPECT, WIDTH = 1.15, 460  # of a picture; the width in pixels
+DPI = 125  # so that the picture has less than 900 kB
 
 
 def main(results, out, section):
-    """Draws a picture of every scene with every swept model."""
     experiments = {name: load_experiment(results, f"scenes/{name}") for name in SCENES}
     drawn = {name: experiment for name, experiment in experiments.items() if section.uses(experiment)}
     if drawn:
@@ -50,13 +49,13 @@ def main(results, out, section):
 
 
 def frame_at(run, time):
-    """The recorded frame nearest to a time; the last one if the run ended earlier."""
+    """Index of the recorded frame nearest to a time (the last frame if the run ended earlier)."""
     return int(np.argmin(np.abs(run.metrics["time"] - time)))
 
 
 def clearance(run, frames):
-    """Smallest distance of the cloth from the obstacles in these frames, negative inside; infinite without
-    obstacles. Measured at vertices and at the centres of edges and triangles."""
+    """Smallest distance of the cloth from obstacles in these frames: negative inside an obstacle, infinite
+    without obstacles. Measured at vertices and at the centres of edges and triangles."""
     triangles = run.triangles
     sides = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)
     edges, least = np.unique(np.sort(sides), axis=0), np.inf
@@ -69,7 +68,7 @@ def clearance(run, frames):
 
 
 def view_of(samples, view):
-    """The camera for the samples (run, frame) of a scene: frames cloths and obstacles."""
+    """A camera that shows all samples (run, frame) of a scene, with the obstacles."""
     run, frame = samples[0]
     solid = obstacles.surfaces(run, run.metrics["time"][frame])[0]
     cloths = [run.positions(frame) for run, frame in samples]
@@ -83,7 +82,7 @@ def view_of(samples, view):
 
 
 def picture(run, frame, camera, view, width=WIDTH):
-    """(h, w, 3) image of a frame and its obstacles."""
+    """(h, w, 3) image of the cloth in a frame, with the obstacles."""
     solid = obstacles.surfaces(run, run.metrics["time"][frame])
     colours = np.tile(view.colour, (len(run.triangles), 1))
     return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False,
@@ -118,7 +117,7 @@ def _sheet(experiments, out):
 
 
 def caption(run, frame):
-    """Stretch of a frame as text."""
+    """The text in a picture: the largest stretch in the frame, or the verdict."""
     text = f"σ₁ up to {number(run.metrics['max_stretch'][frame])}"
     if run.status == "implausible":
         text += ", implausible"
@@ -126,7 +125,7 @@ def caption(run, frame):
 
 
 def title(experiments):
-    """The title: counts over all runs, and the largest stretch."""
+    """The title: numbers of complete and faulty runs, and the largest stretch."""
     runs = [(name, run) for name, experiment in experiments.items() for run in experiment.runs]
     complete = [(name, run) for name, run in runs if run.complete]
     if not complete:
@@ -135,7 +134,8 @@ def title(experiments):
     entered = sum(clearance(run, [run.frames - 1]) < 0 for _, run in complete)
     name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
     return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
-            f"complete\nLast frame: {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
+            f"are complete\nLast frame: degenerate triangles in {needles} runs, cloth inside obstacles in "
+            f"{entered} runs\n"
             f"Largest stretch, median of the last second: {number(worst.summary['max_stretch'])} "
             f"({name.replace('_', ' ')}, {looks.model_name(worst.model)})")
 

@@ -1,4 +1,4 @@
-"""Figs. 2-4: the springs of one pinned and one free vertex for each model, as the solver has them."""
+"""Figs. 2-4: for each model, the solver's springs of one pinned and one free vertex."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
@@ -14,7 +14,6 @@ PINNED, FREE = "#d4211c", "#7a3db8"  # the paper's red and violet
 
 
 def main(results, out, section):
-    """Draws the structures and checks them against their definitions."""
     runs = section.uses(load_experiment(results, "paper/structure"))
     panels = [("Fig. 2: crossover", select(runs, bending__model="crossover"))]
     panels += [(f"Fig. 3: adaptive, m = {m:g}, n = {n:g}", [run])
@@ -27,15 +26,16 @@ def main(results, out, section):
     panels = [(title, own_runs[0]) for title, own_runs in panels if own_runs]
     if panels:
         section.pictures.append((_picture(panels, out), "The springs of one pinned vertex (red, right) and "
-                                 "one free vertex (violet, left). Dark: the 1-ring, pinned too; there are no "
-                                 "springs between pinned vertices. A spring exists if the rule of either end "
-                                 "asks for it: with t = m and n the pin has its own ring n, and ring m "
-                                 "because of its free neighbours."))
+                                 "one free vertex (violet, left). Dark: the 1-ring, which is pinned, too. "
+                                 "Pinned vertices have no springs between them. Two vertices get a spring if "
+                                 "the rule of one of them requires it. So with t = m and n the pin has "
+                                 "springs to ring n by its own rule, and to ring m by the rule of the free "
+                                 "vertices there."))
     section.claims.append(_claim(panels))
 
 
 def neighbours(run):
-    """(pinned vertex, its partners, free vertex, its partners), from the springs that a run recorded."""
+    """(pinned vertex, its partners, free vertex, its partners). Partners are vertices joined by a spring."""
     springs = run.constraints("distance")
     pinned, free = int(run.pin_seeds[0]), _free_vertex(run)
 
@@ -47,7 +47,7 @@ def neighbours(run):
 
 
 def _free_vertex(run):
-    """A vertex left of the pin, far enough from the pin and the boundary to have whole rings."""
+    """A vertex to the left of the pin, so far from the pin and the boundary that its rings are complete."""
     rest = run.rest_positions
     place = rest[run.pin_seeds[0]] - [0.36 * np.ptp(rest[:, 0]), 0, 0]
     return int(np.argmin(np.linalg.norm(rest - place, axis=1)))
@@ -82,7 +82,7 @@ def _picture(panels, out):
 
 
 def _frame_on(panel, rest, centres, partners):
-    """Frames the part of the mesh around the two vertices, the same for every model."""
+    """Limits the panel to the part of the mesh around the two vertices. All models have equal limits."""
     low, high = rest.min(axis=0), rest.max(axis=0)
     middle = rest[centres].mean(axis=0)
     panel.set_xlim(low[0] - 0.01, middle[0] + 0.5 * (high[0] - low[0]))
@@ -98,7 +98,7 @@ def _claim(panels):
         m, n, t = run.summary["model_m"], run.summary["model_n"], run.get("/bending/lod/t", 0)
         for centre, partners, level, name in ((pinned, of_pinned, n, "pinned"), (free, of_free, m, "free")):
             ring = ring_of(run.triangles, centre, len(run.rest_positions))
-            other = np.where(run.pinned, n, m)  # a spring exists if the rule of either end asks for it
+            other = np.where(run.pinned, n, m)  # the rule of one of the two vertices is enough for a spring
             if run.model == "adaptive":
                 wanted = (ring >= 1) & (ring <= np.maximum(level, other))
             else:
@@ -106,7 +106,8 @@ def _claim(panels):
             wanted &= ~run.pinned if run.pinned[centre] else True
             numbers[f"{title}: springs of the {name} vertex"] = len(partners)
             right.append(set(partners) == set(np.flatnonzero(wanted)))
-    return Claim("2-4", "A pinned vertex is joined to its n-ring, a free one to its m-ring; with LOD only to "
-                 "the ring t.", "the partners of the drawn vertices are exactly the vertices in these rings, "
-                 "found by a breadth-first walk over the mesh; a spring exists if the rule of either end "
-                 "asks for it, and never between two pinned vertices", numbers, all(right) if right else None)
+    return Claim("2-4", "A pinned vertex has springs to rings 1 to n, a free vertex to rings 1 to m (LOD: "
+                 "only to ring t).", "the partners of the drawn vertices are exactly the vertices in these "
+                 "rings, found by a breadth-first search over the mesh. Two vertices get a spring if the "
+                 "rule of one of them requires it, but never two pinned vertices", numbers,
+                 all(right) if right else None)

@@ -1,4 +1,4 @@
-"""What each effect adds to a step, per vertex, over the size of the cloth."""
+"""How much time each effect adds to a step, per vertex, for several sizes of the cloth."""
 import json
 from pathlib import Path
 
@@ -12,13 +12,12 @@ TWICE = 2
 
 
 def known_effects():
-    """Every effect of the program, as its schema lists them."""
     schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
     return [kind["properties"]["type"]["const"] for kind in schema["properties"]["effects"]["items"]["oneOf"]]
 
 
 def by_effect(rows):
-    """Effect → its rows by size, the dearest effect first."""
+    """{effect: its rows, from the smallest to the largest cloth}. The most expensive effect is first."""
     effects = {name.removeprefix("effect/"): sizes for (name, scalar), sizes in series(rows).items()
                if name.startswith("effect/") and scalar == "float"}
     return dict(sorted(effects.items(), key=lambda entry: -max(map(per_vertex, entry[1]))))
@@ -37,7 +36,7 @@ def main(bench, out, section):
             for name, sizes in effects.items() for row in sizes]
     section.tables.append(table("effects", "Effects", [
         ("kind", "effect"), "vertices", ("vertex", "time per vertex and step", "", "ns"), "range",
-        ("step", "share of its scene's step", "", "%"), ("acted", "actions per step", ",.0f"),
+        ("step", "share of the time of a step", "", "%"), ("acted", "actions per step", ",.0f"),
         ("per_action", "time per action", "", "ns")], rows))
     step = whole_step(bench["rows"])
     limits = [("vertex", iterations(bench["rows"]) * per_vertex(step),
@@ -46,24 +45,24 @@ def main(bench, out, section):
         "effects", title(effects), "effects", "kind", ["vertex"], ["size"], scale="band", y_scale="log",
         look="",
         limits=limits, note="One thread, single precision. An effect acts on a vertex, a triangle or a "
-                            "contact; the table says how often in a step, and the time of an action."))
+                            "contact. The table states the number of actions per step, and their time."))
 
 
 def growth(sizes):
-    """Cost per vertex on the largest cloth over that on the smallest."""
+    """Ratio of the costs per vertex on the largest and on the smallest cloth."""
     return per_vertex(sizes[-1]) / per_vertex(sizes[0]) if per_vertex(sizes[0]) else float("nan")
 
 
 def sizes_text(effects):
-    """Which effects are not timed at the largest size."""
+    """A sentence that names the effects without a time at the largest size."""
     largest = max((row["vertices"] for sizes in effects.values() for row in sizes), default=0)
     small = [f"{name} ({sizes[-1]['vertices']:,})" for name, sizes in effects.items()
              if sizes[-1]["vertices"] < largest]
-    return f"Not timed at {largest:,} vertices, only at fewer: {', '.join(small)}." if small else ""
+    return f"These effects are not timed at {largest:,} vertices: {', '.join(small)}." if small else ""
 
 
 def title(effects):
-    """For how many effects the cost per vertex grows with the cloth."""
+    """The title: for how many effects the cost per vertex grows with the size of the cloth."""
     known = {name: growth(sizes) for name, sizes in effects.items() if len(sizes) > 1}
     grown = [name for name in known if known[name] > TWICE]
     if not known:
@@ -73,4 +72,4 @@ def title(effects):
                 "cloth as on the smallest")
     most = max(grown, key=known.get)
     return (f"{len(grown)} of {len(known)} effects cost more than twice as much per vertex on the "
-            f"largest cloth as on the smallest, most of all {most}: {number(known[most], 2)} times")
+            f"largest cloth as on the smallest. The largest ratio is {number(known[most], 2)} ({most})")

@@ -1,4 +1,4 @@
-"""What constraints and steps cost in earlier versions of the program, from the committed measurements."""
+"""The costs of constraints and steps in earlier versions of the program, from committed measurements."""
 import json
 from datetime import datetime
 
@@ -6,7 +6,7 @@ from figures.performance.rows import kinds, label, series, table, usual
 from tables.chart import Chart
 from tables.numbers import number
 
-FILE = "history.json"  # beside the page: a measurement per line
+FILE = "history.json"  # beside the page, with a measurement per line
 SECONDS_PER_DAY = 86_400
 
 
@@ -24,14 +24,14 @@ def main(bench, out, section):
         "history", title(entries), "history", "days", ["ratio", "ns"], ["kind"], held=["processor"],
         scale="linear",
         y_scale="log", look="",
-        note="Single precision, one thread, on the cloth on which most kinds are timed. Machines in a cloud "
-             "have one name and several speeds. The oracle is plain scalar code, timed in the same minute. "
-             "So speeds relative to the oracle compare versions of the program; times in ns compare "
-             "machines, too."))
+        note="Single precision, one thread, and the mesh for which most kinds are timed. Cloud machines with "
+             "one name can have different speeds. The oracle is plain scalar code, timed in the same minute. "
+             "So speeds relative to the oracle show changes of the program; times in ns also show changes "
+             "of the machine."))
 
 
 def measurements(bench, out):
-    """The measurements that are kept beside the page and the measurement of these rows, sorted by date."""
+    """The measurements in FILE and the measurement `bench`, sorted by date."""
     file = out / FILE
     kept = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
     entry = summary(bench)
@@ -40,7 +40,7 @@ def measurements(bench, out):
 
 
 def summary(bench):
-    """What is kept of a measurement."""
+    """The entry of a measurement in FILE."""
     context, timed = bench["context"], series(bench["rows"])
     size, known = usual(timed), {*kinds(timed), "step"}
     costs = {"whole step" if name == "step"
@@ -52,9 +52,8 @@ def summary(bench):
 
 
 def title(entries):
-    """How fast a step was in the last two measurements."""
     steps = [entry["kinds"]["whole step"][1] for entry in entries if "whole step" in entry["kinds"]]
     if len(steps) < 2:
         return "The cost of a constraint over time"
     before, now = (number(ratio) for ratio in steps[-2:])
-    return f"A step is {now} times as fast as the oracle's, and was {before} times in the measurement before"
+    return f"A step is {now} times as fast as a step of the oracle (in the last measurement: {before} times)"

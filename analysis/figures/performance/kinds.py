@@ -1,4 +1,6 @@
-"""What every kind of constraint costs, per constraint and per vertex, and how fast its code is."""
+"""The cost of each kind of constraint, per constraint and per vertex, and the speed of its code. The usual
+size is the number of vertices for which most kinds are timed.
+"""
 from bendlab.results import registry
 from figures.performance.rows import (PRECISION, STRAIN, bending, kinds, label, lacking, model_of, per_vertex,
                                       series, shown, table, to, usual)
@@ -6,7 +8,7 @@ from tables.chart import Chart
 
 
 def sizes(timed, name, scalar):
-    """The rows of a kind at the usual size and at its largest."""
+    """The rows of a kind of constraint at the usual size and at its largest size."""
     rows = timed.get((name, scalar), [])
     return [row for row in rows if row["vertices"] == usual(timed) or row is rows[-1]]
 
@@ -25,11 +27,11 @@ def main(bench, out, section):
         "kind", "precision", "vertices", "ns", "range", "per_vertex", "vertex", "ratio", "share"], rows))
     section.charts.append(Chart("kinds", title(timed), "kinds", "kind", ["ns", "vertex"],
                                 ["precision", "size"],
-                                scale="band", y_scale="log", look="", note="Time of an iteration."))
+                                scale="band", y_scale="log", look="", note="Times of one iteration."))
 
 
 def same_text(timed):
-    """Which models have no row of their own, because their constraints are those of another model."""
+    """Sentences: which models have no rows, because other models have the same constraints."""
     own = {model_of(name) for name in bending(timed)}
     springs = [model for model in registry.models() if registry.made_of(model) == "springs"
                and model not in own]
@@ -38,15 +40,13 @@ def same_text(timed):
 
 
 def springs_text(timed):
-    """How the number of adaptive springs depends on the size."""
+    """A sentence: how many adaptive springs a vertex has, depending on the size of the cloth."""
     rows = sizes(timed, "dense", "float")
-    counts = [f"{row['constraints'] / row['vertices']:.0f} per vertex at {row['vertices']:,} vertices"
-              for row in rows]
-    return f" Adaptive springs are {' and '.join(counts)}." if counts else ""
+    counts = [f"{row['constraints'] / row['vertices']:.0f} at {row['vertices']:,} vertices" for row in rows]
+    return f" Adaptive springs per vertex: {', '.join(counts)}." if counts else ""
 
 
 def at_usual(timed, names, scalar="float"):
-    """The rows of these kinds at the usual size."""
     return [row for name in names for row in timed.get((name, scalar), []) if row["vertices"] == usual(timed)]
 
 
@@ -54,6 +54,6 @@ def title(timed):
     rows = at_usual(timed, bending(timed))
     if len(rows) < 2:
         return "Time per constraint and per vertex"
-    return (f"A bending constraint costs {to([row['ns_per_constraint'] for row in rows])} ns; all "
+    return (f"A bending constraint costs {to([row['ns_per_constraint'] for row in rows])} ns. All bending "
             f"constraints of a model cost {to([per_vertex(row) for row in rows])} ns per vertex (single "
             f"precision, {usual(timed):,} vertices)")

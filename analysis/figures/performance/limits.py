@@ -1,4 +1,6 @@
-"""How fast the kernels are, compared with plain code and with the least time that the machine allows."""
+"""The speed of the kernels, compared with plain scalar code (the oracle) and with the least time that the
+machine allows (the roofline).
+"""
 from figures.performance.kinds import at_usual, sizes
 from figures.performance.rows import PRECISION, STRAIN, kinds, label, series, shown, table, to, usual
 from tables.chart import Chart
@@ -16,17 +18,17 @@ def main(bench, out, section):
         row | {"size": f"{row['vertices']:,} vertices"} for row in rows]))
     section.charts.append(Chart(
         "limits", title(timed), "limits", "kind", ["ratio", "share"], ["precision", "size"], scale="band",
-        y_scale="linear", look="", note=f"The oracle is timed at {usual(timed):,} vertices only. choi_ko "
-                                        "springs with compliance are not compared with their oracle: it "
-                                        "halves an interval until it has the answer, which is slow."))
+        y_scale="linear", look="", note=f"The oracle is timed only at {usual(timed):,} vertices. choi_ko "
+                                        "springs with compliance have no comparison, because their oracle "
+                                        "uses a slow bisection."))
 
 
 def title(timed):
-    """The range over the kinds at the usual size."""
+    """The title: the ranges of both ratios over all kinds, at the usual size."""
     rows = at_usual(timed, kinds(timed))
     faster = [row["ratio_to_oracle"] for row in rows if row["ratio_to_oracle"]]
     share = [100 * row["roofline_fraction"] for row in rows if row["roofline_fraction"]]
     if not faster or not share:
         return "Compared with the oracle and with the roofline"
-    return (f"The fast code is {to(faster)} times as fast as the oracle and reaches {to(share)} % of the "
+    return (f"The kernels are {to(faster)} times as fast as the oracle and reach {to(share)} % of the "
             f"roofline (single precision, {usual(timed):,} vertices)")

@@ -1,4 +1,4 @@
-"""What the order by colour costs: the strain error it leaves, against list order, and the time it saves."""
+"""Constraints in order of colour, compared with constraints in list order: error after a step, and time."""
 from figures.performance.rows import kind, to
 from tables.chart import Chart
 from tables.numbers import number
@@ -16,7 +16,7 @@ def main(bench, out, section):
     section.text += " " + time_text(bench["rows"])
     absent = [name for name in SCENES if name not in scenes]
     if absent:
-        section.missing.append(f"scenes for comparing orders: {', '.join(absent)}")
+        section.missing.append(f"scenes that compare orders: {', '.join(absent)}")
     if not scenes:
         return
     rows = [{"scene": SCENES.get(name, name), "iterations": row["sweeps"], "order": label,
@@ -27,22 +27,22 @@ def main(bench, out, section):
     section.tables.append(Table.of("order", "Mean strain error after one step", [
         "scene", "iterations", "order", ("error", "strain error"), ("list", "in list order"),
         ("change", "change of the error against list order", "+.1f", "%"),
-        ("more", "times as many iterations for the error of list order")], rows))
+        ("more", "iterations for an equal error, by colour over list order")], rows))
     faster = speed(bench["rows"])
     section.charts.append(Chart(
         "order", title(scenes), "order", "iterations", ["change", "more"], ["order"], held=["scene"],
         scale="log2",
         look="", limits=[("change", 0, "list order"),
                          *([("more", faster,
-                             f"{number(faster)}: a step by colour is this many times as fast")] if faster
+                             f"a step by colour is {number(faster)} times as fast")] if faster
                            else [])],
-        note="Error compared with list order after the same number of iterations; below 0 is better. Below "
-             "the line of speed, iterations by colour nevertheless take less time than the oracle in list "
-             "order."))
+        note="Errors are compared after the same number of iterations; below 0, order by colour has the "
+             "smaller error. The line states how many times as fast a step by colour is. Below this line, "
+             "order by colour is faster than the oracle (scalar code in list order)."))
 
 
 def by_scene(rows):
-    """Scene → its rows by number of iterations."""
+    """Scene → rows of the benchmark, sorted by number of iterations."""
     scenes = {}
     for row in rows:
         if row["name"].startswith("convergence/"):
@@ -51,27 +51,27 @@ def by_scene(rows):
 
 
 def speed(rows):
-    """Speed of a step by colour over list order, in double precision like the scenes; None without a row."""
+    """Time of a step in list order over its time by colour, in double precision; None if not measured."""
     return next((row["ratio_to_oracle"] for row in rows if kind(row) == "step" and row["threads"] == 1
                  and row["scalar"] == "double"), None)
 
 
 def more(row):
-    """How many times as many iterations order by colour needs for the error of list order; None: too many."""
+    """Iterations by colour over iterations in list order for an equal error; None if too many are needed."""
     return row["sweeps_to_match"] / row["sweeps"] if row["sweeps_to_match"] else None
 
 
 def time_text(rows):
-    """In how many comparisons the order by colour reaches the error of list order sooner."""
+    """Text: in how many comparisons order by colour reaches the error of list order sooner."""
     compared, faster = [row for series in by_scene(rows).values() for row in series], speed(rows)
     if not compared or not faster:
         return ""
     sooner = sum(more(row) is not None and more(row) < faster for row in compared)
-    return (f"A step by colour is {number(faster)} times as fast as a step of the oracle, which takes "
+    return (f"A step by colour is {number(faster)} times as fast as a step of the oracle, the scalar code in "
             "list order (double precision, one thread, a larger cloth). By this estimate order by colour "
             f"reaches the error of list order sooner in {sooner} of {len(compared)} comparisons. But the "
-            "oracle is written to be checked and not to be fast; against faster code in list order there "
-            "would be fewer.")
+            "oracle is written to be easy to check, and not to be fast. With faster code for list order, "
+            "order by colour would be sooner in fewer comparisons.")
 
 
 def title(scenes):
@@ -80,5 +80,6 @@ def title(scenes):
     known = [more(row) for row in rows if more(row)]
     text = (f"Order by colour changes the error by {number(min(worse), 1)} to {number(max(worse), 1)} %")
     if known:
-        text += f"; it needs {to(known)} times as many iterations for the error of list order"
+        text += (f". To reach the error of list order, order by colour needs {to(known)} times as many "
+                 "iterations")
     return text.replace("-", "−")

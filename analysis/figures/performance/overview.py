@@ -1,4 +1,4 @@
-"""What one vertex costs in one step: strain, each bending model, each effect."""
+"""The time of one step per vertex: for strain, each bending model, and each effect."""
 import math
 from dataclasses import dataclass
 
@@ -12,16 +12,14 @@ GROUPS = ["strain", "bending", "effects"]
 
 @dataclass
 class Part:
-    """A part of a step."""
-
     group: str
     name: str
     ns: float  # per vertex and step
 
 
 def parts(rows):
-    """All parts that a step can have, at the size of the whole step, in single precision; effects at the
-    nearest size. Each group begins with its most expensive part. Empty without a row of a whole step."""
+    """The parts that a step can have, in single precision, the most expensive first in each group; [] if no
+    whole step was timed. Times of effects are from the cloth nearest in size."""
     timed, rounds, step = series(rows), iterations(rows), whole_step(rows)
     if not step:
         return []
@@ -36,7 +34,7 @@ def parts(rows):
 
 
 def whole_step(rows):
-    """The row of the step on one thread in single precision, None if there is none."""
+    """The benchmark's row of a step on one thread in single precision, or None."""
     return next((row for row in rows if kind(row) == "step" and row["scalar"] == "float"
                  and row["threads"] == 1), None)
 
@@ -57,14 +55,13 @@ def main(bench, out, section):
 
 
 def answer(rows):
-    """The page's answer."""
     step, ns_of = whole_step(rows), {part.name: part.ns for part in parts(rows)}
     if not step:
         return ""
     all_of_it = iterations(rows) * per_vertex(step)
     text = (f"One step with {iterations(rows)} iterations of a cloth with {step['vertices']:,} vertices and "
-            f"crossover springs takes {number(step['step_ms'], 2)} ms on one thread. That is "
-            f"{number(all_of_it)} ns for each vertex")
+            f"crossover springs takes {number(step['step_ms'], 2)} ms on one thread. Each vertex takes "
+            f"{number(all_of_it)} ns")
     names = [label(name) for name in ("strain", "crossover")]
     if all(name in ns_of for name in names):
         text += (f": {number(ns_of[names[0]])} ns for the strain of the triangles and "
@@ -76,13 +73,13 @@ def caption(rows):
     step, sizes = whole_step(rows), {row["vertices"] for row in rows if row["name"].startswith("effect/")}
     near = min(sizes, key=lambda size: abs(math.log(size / step["vertices"])), default=None)
     return (f"A step has {iterations(rows)} iterations: strain and bending are projected {iterations(rows)} "
-            "times. Every cloth has strain, in one of its two forms; add one bending model, and those "
-            f"effects that the scene needs. One thread, single precision, {step['vertices']:,} vertices"
+            "times. The time of a cloth is the sum of the times of one form of strain, one bending model, "
+            f"and the effects of the scene. One thread, single precision, {step['vertices']:,} vertices"
             + (f" (effects: {near:,})" if near else "") + ".")
 
 
 def title(step_parts):
-    """The dearest and the cheapest bending, and the dearest effect, over strain."""
+    """The title: the times of bending and of effects over the time of strain."""
     strain = next((part.ns for part in step_parts if part.name == label("strain")), None)
     bending = [part for part in step_parts if part.group == "bending"]
     effects = [part for part in step_parts if part.group == "effects"]
@@ -92,6 +89,7 @@ def title(step_parts):
                     f"{number(bending[0].ns / strain, 2)} ({bending[0].name}) times as long as strain")
     if strain and effects:
         cheap = sum(part.ns < 0.1 * strain for part in effects)
-        text.append(f"{cheap} of {len(effects)} effects take less than a tenth of it; the dearest is "
-                    f"{effects[0].name}, with {number(effects[0].ns / strain, 2)} times as much")
+        text.append(f"{cheap} of {len(effects)} effects take less than a tenth of the time of strain. The "
+                    f"most expensive effect, {effects[0].name}, takes {number(effects[0].ns / strain, 2)} "
+                    "times as long as strain")
     return ". ".join(text) or "Time of a step for each vertex"

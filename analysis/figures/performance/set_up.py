@@ -1,10 +1,10 @@
-"""What it takes to get from a rest mesh to the first step with adaptive springs."""
+"""The set-up with adaptive springs: time and memory from the rest mesh to the first step."""
 from figures.performance.rows import at, iterations, series, shown, table
 from tables.chart import Chart
 from tables.numbers import number
 
 PARTS = {"rings_and_pairs_s": "find rings and pairs",
-         "colours_and_batches_s": "colour them, sort them by colour"}
+         "colours_and_batches_s": "colour the springs, sort them by colour"}
 
 
 def main(bench, out, section):
@@ -29,7 +29,7 @@ def main(bench, out, section):
 
 
 def steps(row, timed, rounds):
-    """In how many steps the projection of the same springs takes as long as their set-up; None if unknown."""
+    """After how many steps projections of these springs have taken as long as the set-up; None if unknown."""
     dense = at(timed, "dense", "float", row["vertices"])
     return row["ns_per_constraint"] / dense["ns_per_constraint"] / rounds if dense and rounds else None
 
@@ -39,12 +39,12 @@ def steps_text(rows):
     known = [row for row in timed.get(("set_up", "float"), []) if steps(row, timed, rounds)]
     if not known:
         return ""
-    return (f"For {known[-1]['constraints']:,} springs it takes as long as projecting them in "
+    return (f"Setting up {known[-1]['constraints']:,} springs takes as long as projecting them in "
             f"{number(steps(known[-1], timed, rounds), 2)} steps.")
 
 
 def title(rows):
     last = rows[-1]
     return (f"Setting up {last['constraints']:,} springs takes {number(last['set_up_s'], 2)} s: "
-            f"{number(last['ns_per_constraint'])} ns and "
-            f"{number(last['peak_bytes_per_spring'], 2)} bytes for each")
+            f"{number(last['ns_per_constraint'])} ns and {number(last['peak_bytes_per_spring'], 2)} bytes "
+            "for each spring")

@@ -1,4 +1,4 @@
-"""What a constraint costs over the size of the cloth."""
+"""The time per constraint against the size of the cloth."""
 from figures.performance.rows import PRECISION, at, label, lacking, series, shown, table, usual
 from tables.chart import Chart
 from tables.numbers import number
@@ -20,11 +20,11 @@ def main(bench, out, section):
         "sizes", title(timed), "sizes", "vertices", ["ns", "vertex"], ["kind", "code", "precision"],
         y_scale="log",
         look="", dashed="precision", note="The oracle is the scalar code that projects one constraint at a "
-                                          "time in list order. It is timed at one size."))
+                                          "time in list order, timed on one size of cloth."))
 
 
 def title(timed):
-    """How the cost grows from the usual cloth to the largest, over the constraints that are timed on both."""
+    """The title: time per constraint on the largest cloth over the time on the usual size, see usual()."""
     size, rows = usual(timed), {name: timed.get((name, "float"), []) for name in OVER_SIZE}
     largest = max((row["vertices"] for series in rows.values() for row in series), default=0)
     grown = {label(name): series[-1]["ns_per_constraint"] / first["ns_per_constraint"]
@@ -33,4 +33,5 @@ def title(timed):
     if not grown:
         return "Time per constraint over the size of the cloth"
     parts = " and ".join(f"{number(times)} for {name}" for name, times in grown.items())
-    return f"Cost of a constraint on {largest:,} vertices over that on {size:,}: {parts} (single precision)"
+    return (f"Time of a constraint on {largest:,} vertices over its time on {size:,}: {parts} (single "
+            "precision)")

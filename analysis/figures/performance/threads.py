@@ -1,4 +1,4 @@
-"""What more threads gain: one cloth on several, several runs side by side, recording beside stepping."""
+"""How much time several threads save: for one step, for two runs at once, and for recording frames."""
 from figures.performance.rows import PRECISION, kind
 from tables.chart import Chart
 from tables.numbers import number
@@ -27,43 +27,42 @@ def main(bench, out, section):
     section.charts.append(Chart(
         "threads", title(steps), "threads", "name", ["ms", "gain"], ["precision"], scale="band",
         y_scale="linear",
-        look="", note="A step of strain and crossover springs. One thread: processor time; several: time on "
-                      "the clock, so that other programs on the machine count."))
+        look="", note="The step has strain and crossover springs. On one thread, times are processor times. "
+                      "On several threads, times are wall times, which other programs can increase."))
 
 
 def named(rows, name):
-    """The first row of a kind, None if there is none."""
     return next((row for row in rows if kind(row) == name), None)
 
 
 def by_precision(rows):
-    """Precision → the steps by number of threads."""
+    """Precision → rows of steps, sorted by number of threads."""
     return {scalar: sorted(steps, key=lambda row: row["threads"]) for scalar in PRECISION
             if (steps := [row for row in rows if kind(row) == "step" and row["scalar"] == scalar])}
 
 
 def gain(steps, row):
-    """How many times as fast a step is as on one thread; NaN without a row of one thread."""
+    """Time of a step on one thread over the time in this row; NaN if one thread was not timed."""
     alone = next((other["step_ms"] for other in steps if other["threads"] == 1), float("nan"))
     return alone / row["step_ms"]
 
 
 def beside_text(rows):
-    """What a second core gains for whole runs."""
+    """Text: how much time a second core saves for whole runs."""
     sweep, recording, text = named(rows, "sweep"), named(rows, "recording"), []
     between = lambda row, name: f"{number(row[f'{name}_lowest'])} to {number(row[f'{name}_highest'])}"
     if sweep:
         text.append(f"Two runs side by side are {number(sweep['speed_up'], 2)} times as fast as one "
                     f"after the other ({between(sweep, 'speed_up')}).")
     if recording:
-        text.append(f"Recording 30 frames a second with every metric has a thread of its own; on the clock "
-                    f"a run then takes {number(recording['wall_ratio'])} times as long as without "
-                    f"({between(recording, 'wall_ratio')}).")
+        text.append("A separate thread records 30 frames a second with every metric. In wall time, a run "
+                    f"with this thread takes {number(recording['wall_ratio'])} times as long as a run "
+                    f"without recording ({between(recording, 'wall_ratio')}).")
     return " ".join(text)
 
 
 def title(steps):
-    """What the most threads gain."""
+    """The title: how much faster a step is on the largest number of threads."""
     most = max((row["threads"] for series in steps.values() for row in series), default=1)
     gains = [f"{number(gain(series, series[-1]), 2)} times ({PRECISION[scalar]} precision)"
              for scalar, series in steps.items() if series[-1]["threads"] == most > 1]

@@ -1,4 +1,4 @@
-"""The plain matrix: runs that broke a bound, with or without a warning, by value and by pair of values."""
+"""The plain matrix (simple scenes): runs that broke a bound, by value and by pair of values of settings."""
 import itertools
 from collections import Counter
 
@@ -16,7 +16,7 @@ from tables.table import Table
 NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
-MIXED = ("metres", "millimetres", "methods")  # covering arrays: their values are mixed evenly
+MIXED = ("metres", "millimetres", "methods")  # covering arrays: runs that mix all values evenly
 PLACE = {"model": registry.model_place, "method": lambda name: registry.method_place(name.split(", ")[0])}
 ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
@@ -28,12 +28,12 @@ ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral,
                                    "64 × 1"],
          "order": ["colour", "mesh", "pins", NOT_READ], "sweep": ["forward", "symmetric", NOT_READ],
          "precision": ["single", "double"]}
-FEWEST = 4  # runs; a pair of values is listed if at least this many broke a bound
-TWICE = 2.0  # and if they are at least this many times the number expected from its two values
+FEWEST = 4  # runs; a pair of values is listed if at least this number broke a bound
+TWICE = 2.0  # and at least this many times the number expected from the worse value alone
 
 
 def main(results, out, section):
-    """Judges every run; the section's data are the runs as JSON objects."""
+    """Judges every run, and stores the runs as JSON objects in the section's data."""
     judged, covered, twins = [], [], Twins()
     for name in CONFIGS:
         experiment = load_experiment(results, f"{FOLDER}/{name}")
@@ -60,26 +60,26 @@ def main(results, out, section):
     section.charts.append(Chart(
         "shares", "Which settings break bounds", "shares", "value", ["share"], ["what"], held=["setting"],
         at="model", scale="band",
-        y_scale="linear", look="", note=f"{len(mixed)} runs of the covering arrays: "
+        y_scale="linear", look="", note=f"{len(mixed)} runs of the covering arrays, which mix the values of "
+                                        "all settings evenly: "
         + ", ".join(f"{sum(entry['verdict'] == verdict for entry in mixed)} {NAMES[verdict]}"
                     for verdict in (SOUND, TOLD, SILENT, ALARM))
-        + ". In each array the values of all other settings are mixed evenly; the array over methods has no "
-          "stiffness given as k."))
+        + ". The array over methods has no stiffness given as k."))
 
 
 def by_value(judged, axis):
-    """Value of an axis → its runs, in order."""
+    """Value of an axis → runs with this value; in_order() sorts the values."""
     runs_of = group(judged, lambda run: run["settings"][axis])
     return {value: runs_of[value] for value in in_order(axis, set(runs_of))}
 
 
 def covered_text(name, runs, strength, held, wanted, absent):
-    """The combinations of values in a covering array, counted again here."""
-    text = f"{name}: {runs} runs have {held} of {wanted} combinations of the values of {strength} settings"
+    """A sentence: how many of the wanted combinations of values these runs have, counted here."""
+    text = f"{name}: {runs} runs have {held} of {wanted} combinations of values of {strength} settings"
     unknown = [combination for combination in absent if not refused(combination)]
     if len(absent) > len(unknown):
-        text += (f"; {len(absent) - len(unknown)} are refused by the program (a tube needs at least three "
-                 "cells around; springs have a known rigidity on flat sheets only)")
+        text += (f"; the program refuses {len(absent) - len(unknown)} combinations (a tube needs at least "
+                 "three cells around its axis; springs have a known rigidity on flat sheets only)")
     if unknown:
         text += (f"; {len(unknown)} are missing, first "
                  + ", ".join(f"{pointer} {value}" for pointer, value in unknown[0]))
@@ -87,7 +87,7 @@ def covered_text(name, runs, strength, held, wanted, absent):
 
 
 def refused(combination):
-    """Whether the program refuses these values together; rules.cpp has the reasons."""
+    """Whether the program refuses this combination of values; lib/bendlab/scene/rules.cpp has the reasons."""
     values = dict(combination)
     generator = values.get("/mesh", {}).get("generator")
     return ((generator == "tube" and values.get("/mesh/cells") == 2)
@@ -96,7 +96,8 @@ def refused(combination):
 
 
 def coverage(experiment, runs):
-    """(strength, combinations of values in the runs, all combinations, list of the missing ones)."""
+    """(settings per combination, combinations in the runs, all combinations, list of missing
+    combinations)."""
     cover = experiment.settings["cover"]
     strength = cover if isinstance(cover, int) else cover["strength"]
     sweep = experiment.sweep
@@ -115,7 +116,7 @@ def coverage(experiment, runs):
 
 
 class Twins:
-    """Scenes computed in two units of length, and the distance of both runs after scaling."""
+    """Pairs of runs of one scene in two units of length, and the distance of each pair after scaling."""
 
     def __init__(self):
         self.places, self.pairs, self.apart = {}, 0, []
@@ -139,21 +140,20 @@ class Twins:
 
     @property
     def text(self):
-        """How equal the pairs are, as a sentence."""
         if not self.pairs:
             return ""
-        text = f"{self.pairs} scenes were computed in two units of length, 1 : 1024: "
+        text = f"{self.pairs} scenes were computed in two units of length, 1 : 1024. "
         if not self.apart:
-            return text + "after scaling they are equal to the last bit."
+            return text + "After scaling, both runs of each scene are equal to the last bit."
         apart, _, large = max(self.apart, key=lambda entry: entry[0])
         settings = ", ".join(f"{name} {value}" for name, value in settings_of(large.config).items())
-        return text + (f"{len(self.apart)} of them differ after scaling, by up to {number(apart)} sizes "
-                       f"({settings}).")
+        return text + (f"After scaling, the two runs of {len(self.apart)} scenes differ, by up to "
+                       f"{number(apart)} sizes ({settings}).")
 
 
 def same_stiffness(run):
-    """Whether both units state the same stiffness. A compliance scales differently for springs and hinges,
-    and a config has one number for both: it is right for one kind only."""
+    """Whether the run has the same stiffness in both units. Compliances of springs and of hinges scale
+    differently, but a config has one compliance: the value is right for springs or for hinges."""
     if run.get("/bending/stiffness") != "compliance" or run.model == "none":
         return True
     for_springs = run.get("/bending/compliance") * run.get("/mesh/scale") ** 2 < 1
@@ -161,16 +161,16 @@ def same_stiffness(run):
 
 
 def in_order(axis, values):
-    """These values of an axis, sorted: models and methods in the program's order, other values in the order
-    of ORDER. Values that ORDER lacks come last."""
+    """The values of an axis, sorted: models and methods in the program's order, other values as in ORDER.
+    Values that are not in ORDER come last."""
     known = ORDER.get(axis, [])
     place = PLACE.get(axis, lambda value: known.index(value) if value in known else len(known))
     return sorted(sorted(values), key=place)
 
 
 def pairs(judged):
-    """Pairs of values that break more bounds together than each value alone: (pair, runs that broke a bound,
-    runs, expected), strongest first. `judged`: runs as in summary.json."""
+    """Pairs of values that break more bounds together than each value alone, strongest first: (pair, number
+    of runs that broke a bound, number of runs, expected first number). `judged`: as in summary.json."""
     wrong = [run for run in judged if run["verdict"] in WRONG]
     if not wrong:
         return []

@@ -1,4 +1,4 @@
-"""Hard cases × bending models: their verdicts, and pictures of runs that failed."""
+"""Verdicts of the hard cases with every bending model, and pictures of runs that failed."""
 import re
 import textwrap
 
@@ -16,14 +16,14 @@ from runs.stability_cases import CASES, FOLDER, GREEN, RED, SECTIONS, judge
 from runs.stability_reasons import explain
 from runs.sweeps import load_experiment
 
-# Pixels: picture, text above, text below, gap, colour bar
+# Sizes in pixels: picture, text above, text below, gap, colour bar
 STILL, HEAD, FOOT, GAP, BAR = 220, 49, 40, 14, 64
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
 def main(results, out, section):
-    """Judges every run. The section's data are the runs as JSON objects, its frames those of the worst run of
-    each case and model that failed; a picture for each group of cases is a file beside the page."""
+    """Judges every run. The section's data are the runs as JSON objects. The section's frames are from the
+    worst red run of each case and model. Draws a picture of each group of cases, a file beside the page."""
     cells = cells_of(results, section, CASES, FOLDER, _model_and_precision)
     explain(cells)
     section.data = [as_json(cell) for cell in cells.values()]
@@ -43,14 +43,14 @@ def as_json(cell):
 
 
 def id_of(run):
-    """The address in the page of a run, given as its object: start-creased.adaptive.single. A run that states
-    a solver method has the method in place of the precision."""
+    """The address of a run in the page, for example start-creased.adaptive.single; `run` is a JSON object. If
+    the run states a solver method, the method replaces the precision."""
     words = lambda text: re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
     return f"{words(run['case'])}.{run['model']}.{words(run.get('method') or run['precision'])}"
 
 
 def _worst_runs(cells):
-    """Address → run, of the worst red run of every case and model."""
+    """Address → run: the worst red run of every case and model."""
     worst = {}
     for cell in cells.values():
         place = cell.case.name, cell.model
@@ -61,8 +61,8 @@ def _worst_runs(cells):
 
 
 def cells_of(results, section, cases, folder, key_of):
-    """(case name, *key_of(run)) → judged cell, for every run of these cases in configs/<folder> that exists.
-    A run is compared with the undisturbed one of the same key."""
+    """(case name, *key_of(run)) → the judged run, for the existing runs of these cases in configs/<folder>. A
+    run is compared with the undisturbed run that has the same key."""
     cells, experiments = {}, {}
     for case in cases:
         for config in (case.config, case.control_config or case.config):
@@ -81,21 +81,21 @@ def _model_and_precision(run):
 
 
 def _swept(experiment, pointer, value):
-    """A value of the sweep. For /effects, whose values are long, `value` is its index."""
+    """A value of the sweep: `value`, or for the long values of /effects the value with this index."""
     return experiment.sweep[pointer][value] if pointer == "/effects" else value
 
 
 def _at(experiment, where, key_of):
-    """key_of(run) → run, of the runs at a point of the sweep."""
+    """key_of(run) → run, for the runs with these values of swept settings."""
     here = lambda run: all(run.point.get(pointer) == _swept(experiment, pointer, value)
                            for pointer, value in where.items())
     return {key_of(run): run for run in experiment.runs if run.over and here(run)}
 
 
 def shown(cells, cases):
-    """(cell, number of models that fail alike) to draw: the worst cell of each way in which a case turns red.
+    """[(cell, number of models that fail the same criterion)] to draw: the worst red cell for each criterion.
 
-    A case without any red cell has its worst amber cell.
+    A case without red cells has its worst amber cell.
     """
     drawn = []
     for case in cases:
@@ -109,7 +109,7 @@ def shown(cells, cases):
 
 
 def _stills(title, failed, out):
-    """Draws a sheet of pictures as one image: separate axes would take longer to draw than the cloths."""
+    """Draws all pictures as one image, because separate axes would take longer to draw than the cloths."""
     columns = min(COLUMNS, len(failed))
     rows = -(-len(failed) // columns)
     height, width = rows * (HEAD + STILL + FOOT), columns * (STILL + GAP)
@@ -130,9 +130,9 @@ def _stills(title, failed, out):
 
 
 def _still(axes, sheet, cell, alike, left, top):
-    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below.
+    """Draws a run's last frame at (left, top) of the image; name above, worst number and extent below.
 
-    `alike`: how many models fail in the same way.
+    `alike`: how many models fail the same criterion.
     """
     run, frame = cell.run, cell.run.frames - 1
     positions, size = run.positions(frame), run.size
@@ -161,7 +161,7 @@ def _across(positions):
 
 
 def _slivers(places, triangles, colours):
-    """Triangles too thin to cover a pixel, as lines along their longest edges: keeps threads visible."""
+    """Lines along the longest edges of triangles that are too thin to cover a pixel."""
     corners = places[triangles]
     edges = np.roll(corners, -1, axis=1) - corners
     lengths = np.linalg.norm(edges, axis=2)

@@ -1,4 +1,4 @@
-"""The hard cases by other solver methods. The section's data are the runs as JSON objects."""
+"""The hard cases with other solver methods; the section's data are these runs as JSON objects."""
 from figures.stability.cells import cells_of
 from runs.stability_cases import METHOD_CASES, METHODS
 from tables.numbers import rounded

@@ -1,4 +1,4 @@
-"""The single pinned corner, frame by frame: does the strain fail first, and which remedies help?"""
+"""A sheet that hangs from one corner, frame by frame: what fails first, and which remedies help?"""
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +17,7 @@ MODELS = ["none", "crossover", "dihedral"]
 
 @dataclass
 class Story:
-    """The worst of the triangles at the pin of one run, by frame (F)."""
+    """The worst triangle near the pin of one run, in each of F frames."""
 
     run: object
     time: np.ndarray  # s
@@ -33,7 +33,7 @@ class Story:
 
     @property
     def degenerate_at(self):
-        """Time of the first needle or cap."""
+        """Time of the first degenerate triangle: a needle or a cap."""
         return min(self.first(self.ratio, NEEDLE), self.first(self.angle, CAP))
 
     @property
@@ -52,7 +52,7 @@ class Story:
 
     @property
     def worst(self):
-        """Largest stretch - 1, median over the last half second."""
+        """Largest stretch - 1 near the pin, median over the last half second."""
         return float(np.median(self.stretch[self.time > self.time[-1] - 0.5]))
 
 
@@ -69,7 +69,7 @@ def story(run):
 
 
 def _shape(rest, frames, triangles):
-    """(F) largest stretch - 1, ratio of edges and angle (degrees) of the given triangles."""
+    """Three arrays (F) of maxima over these triangles: stretch - 1, ratio of edges, angle in degrees."""
     a, b, c = (frames[:, triangles[:, i]] for i in range(3))
     q = np.stack([rest[triangles[:, i]] - rest[triangles[:, 0]] for i in (1, 2)], axis=2)[:, :2]
     f = np.stack([b - a, c - a], axis=3) @ np.linalg.inv(q)
@@ -84,9 +84,9 @@ def _shape(rest, frames, triangles):
 
 
 def _corrections(run, frames, vertices):
-    """(F) largest displacement of a vertex by constraints in a frame, over the mean edge.
+    """(F) largest displacement of a vertex by constraints in a frame, in mean edge lengths.
 
-    It is the distance from the free flight x + (x - x before) + h² g.
+    The displacement is the distance from the free flight x + (x - previous x) + h² g.
     """
     time, free = run.metrics["time"], vertices[~run.pinned[vertices]]
     x = frames[:, free]
@@ -101,7 +101,7 @@ def _corrections(run, frames, vertices):
 
 
 def remedy(run):
-    """How a run differs from the published sheet with a bare pin and ten iterations, as text."""
+    """Text: how a run's settings differ from the published settings (one pinned vertex, ten iterations)."""
     solver, strain = run.get("/solver"), run.get("/material/strain")
     parts = [name for name, has in [("1-ring pinned", run.get("/pins/ring") > 0),
                                     (f"{solver['iterations']} "
@@ -134,15 +134,16 @@ def main(results, out, section):
                   held=["model"], scale="linear", y_scale="log", look="", limits=[
                       ("stretch", STRETCHED, "strain has failed"), ("ratio", NEEDLE, "degenerate"),
                       ("correction", 1, "overshoots")],
-                  note="The bare pin frame by frame. Curves: the worst triangle near the pin."),
+                  note="Each curve is the worst triangle near the pin in every other frame."),
             Chart("pin_remedies",
                   "Remedies that keep the stretch at the pin below 2 with each of these models: "
                   + (", ".join(always_held(drawn)) or "none"), "pin", "remedy",
                   ["worst", "mean_strain", "cost"], ["model"], scale="band", y_scale="log",
                   limits=[("worst", STRETCHED, "twice as long")],
                   note="Largest stretch near the pin and mean strain of the sheet (medians over the last "
-                       "half second), and the cost of the remedy. The two orders without colours project one "
-                       "constraint after another, with the oracle (the scalar code).")]
+                       "half second), and CPU time over CPU time of the published settings. The orders 'mesh "
+                       "order' and 'nearest to the pin first' use the oracle, the scalar code that projects "
+                       "one constraint after another.")]
     if force:
         held = sum(s.worst < STRETCHED for s in force)
         section.tables.append(_table("pin_force", "Under a force of three times the weight", force))
@@ -167,20 +168,20 @@ def _frames(stories):
 
 
 def always_held(stories):
-    """The remedies with which no model is stretched to twice its length."""
+    """The remedies with which no model's stretch near the pin reaches 2."""
     return [name for name, same_remedy in group(stories, lambda s: remedy(s.run)).items()
             if all(s.worst < STRETCHED for s in same_remedy)]
 
 
 def message(stories):
-    """The title: the order of events."""
+    """The title: does a triangle fail first in strain or in shape, and when do corrections overshoot?"""
     failed = [s for s in stories if np.isfinite(s.failed_at)]
     before = sum(s.failed_at <= s.degenerate_at for s in failed)
     overshot = [s for s in failed if np.isfinite(s.overshot_at)]
     after = sum(s.overshot_at >= s.degenerate_at for s in overshot)
-    return (f"In {before} of {len(failed)} runs that fail, a triangle at the pin is stretched to twice its "
-            f"length before one is degenerate; corrections overshoot in {len(overshot)} of them, in {after} "
-            "of these not before a triangle is degenerate")
+    return (f"In {before} of {len(failed)} failed runs, a triangle at the pin is stretched to twice its "
+            f"length before a triangle is degenerate. Corrections overshoot in {len(overshot)} failed runs, "
+            f"in {after} of these runs only after a triangle is degenerate")
 
 
 def plain_text(stories):
@@ -190,11 +191,11 @@ def plain_text(stories):
     quiet = [s for s in failed if not np.isfinite(s.overshot_at)]
     if not failed:
         return ""
-    text = (f"With the plain strain constraints the pin fails in {len(failed)} of {len(plain)} runs, and in "
-            f"{len(quiet)} of these no correction ever overshoots. ")
+    text = (f"With plain shear and stretch, the strain at the pin fails in {len(failed)} of {len(plain)} "
+            f"runs, and in {len(quiet)} of these runs no correction overshoots. ")
     if len(quiet) == len(failed):
-        text += ("So the failure at the pin is one of convergence: one vertex carries the whole weight. "
-                 "Overshooting makes the rest of the sheet fail too.")
+        text += ("So the cause of the failure at the pin is that the solver does not converge: one vertex "
+                 "carries the whole weight. Overshooting makes the rest of the sheet fail, too.")
     return text
 
 
@@ -216,4 +217,4 @@ def _table(id, caption, stories):
         "model", "remedy", ("overshot", "overshoots at", ".2f", "s"),
         ("degenerate", "degenerate at", ".2f", "s"),
         ("failed", "strain fails at", ".2f", "s"), ("worst", "stretch − 1, last ½ s"),
-        ("mean_strain", "mean strain"), ("cost", "CPU time over that of the published", ".2f")], rows)
+        ("mean_strain", "mean strain"), ("cost", "CPU time over published settings", ".2f")], rows)

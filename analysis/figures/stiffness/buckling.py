@@ -1,4 +1,4 @@
-"""Lateral buckling: upright strips of hinges deflect above a theoretical load, of springs under any."""
+"""Lateral buckling: upright strips of hinges buckle at a theoretical load, strips of springs at any load."""
 import numpy as np
 
 from tables import looks
@@ -9,14 +9,14 @@ from tables.chart import Chart
 from tables.section import Check
 from tables.table import Table
 
-# Width over length → Γ* = ρ g L³/D of a Kirchhoff plate, by Ritz's method with Legendre polynomials,
-# converged to 0.1 %. A lattice of hinges has Poisson's ratio ν = -1/3. Springs in all directions have ν =
-# 1/3, as central forces have: their energy is proportional to the mean square of the curvature along them,
-# 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
+# Width over length → critical load Γ* = ρ g L³/D of a Kirchhoff plate, by Ritz's method with Legendre
+# polynomials, converged to 0.1 %. A lattice of hinges has Poisson's ratio ν = -1/3. Springs in all directions
+# have ν = 1/3, like all central forces: the energy is proportional to the mean square of the curvature over
+# all directions, 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
 CRITICAL = {"hinges": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39},
             "springs that push": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
 POISSON = {"hinges": "−1/3", "springs that push": "1/3"}
-NEAR = 1.1  # times the critical load; farther beyond it the deflection is not the linear theory's
+NEAR = 1.1  # times the critical load; above this load the linear theory is not exact
 NOTICEABLE = 1e-3  # of the length; a sheet with a larger deflection has buckled
 
 
@@ -27,7 +27,7 @@ def main(results, out, section):
         section.checks.append(Check(f"Γ* at width over length {width_over_length(own_runs[0]):.2f}", model,
                                     strips.mesh_name(own_runs[0]), theory(own_runs[0]),
                                     critical_load(own_runs), 0.03 if cells > 24 else 0.05,
-                                    f"Kirchhoff plate, ν = {POISSON[looks.family(model)]}, Ritz"))
+                                    f"Kirchhoff plate, ν = {POISSON[looks.family(model)]}, by Ritz's method"))
     section.checks.append(spring_check(springs))
     section.tables += [_table(stiff), _springs_table(springs)]
     shares = [check.measured / check.expected for check in section.checks[:-1] if np.isfinite(check.measured)]
@@ -38,11 +38,11 @@ def main(results, out, section):
     section.charts = [
         Chart("buckling", title, "buckling", "over", ["squared"], ["model", "width", "cells"],
               scale="linear", y_scale="linear", look="",
-              note="Deflection of the farthest vertex in static equilibrium, squared; theory: 0 up to Γ / Γ* "
-                   "= 1."),
+              note="The squared deflection of the farthest vertex in static equilibrium. In theory, the "
+                   "deflection is 0 up to Γ / Γ* = 1."),
         Chart("buckling_springs", "Springs at rest buckle under any load", "buckling_springs", "gravity",
               ["deflection"], ["model"], y_scale="log", theory="root",
-              note="Springs to ring 3; the line has the slope 1/2.")]
+              note="The springs are k_ring, ring 3. The line has the slope 1/2.")]
     if springs:
         rows = section.table("buckling_springs")
         section.tables.append(Table.of("root", "", ["model", "gravity", "deflection"], [
@@ -66,13 +66,12 @@ def strip_groups(runs):
 
 
 def theory(run):
-    """Γ* of the strip."""
     table = CRITICAL[looks.family(run.model)]
     return float(np.interp(width_over_length(run), list(table), list(table.values())))
 
 
 def _rigidity(run):
-    """D that the config states, in N m."""
+    """The flexural rigidity D that the config states, in N m."""
     return run.get("/bending/flexural_rigidity") or 1 / run.get("/bending/compliance")
 
 
@@ -82,22 +81,22 @@ def width_over_length(run):
 
 
 def pull(run):
-    """Gravity in the plane, in m/s²."""
+    """Gravity in the strip's plane, in m/s²."""
     return -run.get("/effects/0/acceleration")[1]
 
 
 def load_number(run):
-    """Γ = ρ g L³/D of a run."""
+    """The load of a run, Γ = ρ g L³/D."""
     return run.get("/material/density") * pull(run) * _lengths(run)[0]**3 / _rigidity(run)
 
 
 def deflection(run):
-    """Largest distance of a vertex from the plane, over the length."""
+    """Largest distance of a vertex from the strip's plane, over the strip's length."""
     return float(np.abs(run.positions(-1)[:, 2]).max() / _lengths(run)[0])
 
 
 def critical_load(runs):
-    """Γ at which the line through the squares of the two smallest noticeable deflections is zero, or NaN."""
+    """Γ where a line through the two smallest noticeable squared deflections is zero; NaN without two."""
     points = sorted((load_number(run), deflection(run)**2) for run in runs)
     points = [point for point in points if point[1] > NOTICEABLE**2][:2]
     if len(points) < 2:
@@ -113,7 +112,7 @@ def spring_check(runs):
                            1)[0]
     return Check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3",
                  strips.mesh_name(runs[0]) if runs else "equilateral", 0.5, float(slope),
-                 0.02, "quartic bending energy against work ∝ deflection²", "absolute")
+                 0.02, "bending energy ∝ deflection⁴, work of the load ∝ deflection²", "absolute")
 
 
 def _table(runs):

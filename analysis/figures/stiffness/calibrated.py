@@ -1,4 +1,4 @@
-"""Calibrated stiffness: measured over stated physical stiffness, and the paper's rule beside it."""
+"""Measured stiffness over stated physical stiffness, compared with stiffness by the paper's rule."""
 import numpy as np
 
 from tables.numbers import number
@@ -12,7 +12,7 @@ from tables.table import Table
 LIMITS = {"equilateral": 0.05, "delaunay": 0.15}
 STATED = "the stiffness in the config"
 RULES = "stated stiffness", "the paper's rule (k = 0.5, eq. 6)"
-# Hinges that are calibrated at small deflection
+# Limits for hinges that are calibrated at small deflection
 SMALL_LIMITS = {"equilateral": 0.03, "alternating": 0.03, "both": 0.05, "delaunay": 0.03}
 
 
@@ -34,7 +34,7 @@ def main(results, out, section):
         Chart("calibrated", "Does the stiffness change with the mesh?", "summary", "name", ["ratio"],
               ["rule", "mesh"],
               scale="band", y_scale="log", look="", on_top=True, limits=[("ratio", 1, "no change")],
-              note="Largest stiffness over smallest. Irregular meshes reach to 48 cells."),
+              note="Largest over smallest stiffness of all resolutions. Irregular meshes end at 48 cells."),
         Chart("calibrated_cells", _title(section.table("summary")), "calibrated", "cells", ["share"],
               ["name"],
               held=["mesh"], scale="log2", look="model", limits=strips.as_stated("share")),
@@ -44,17 +44,19 @@ def main(results, out, section):
 
 
 def intro_text(runs):
-    """What is measured, with lengths and goals from runs and rules."""
-    return ("From the mesh, each model computes compliances of its constraints that should give the stated B "
-            f"(hinges) or C (springs at rest). {lengths_text(runs)} Springs that push in the flat sheet "
-            "(prestressed) have a B, like hinges. All runs are static equilibria. The number is from the "
-            "moment-curvature fit, or from H/W if springs reach too far for a fit. Goal: the same stiffness "
-            f"within {100 * LIMITS['equilateral']:g} % on the lattice and {100 * LIMITS['delaunay']:g} % on "
-            "irregular meshes. Two effects prevent an exact result. A soft membrane yields to the springs. "
-            "And an irregular mesh has no straight lines to fold along: a stiff membrane has to stretch "
-            "before it bends, most of all at the ragged edge of the clamp; there H/W is more reliable than "
-            "the fit, which leaves out the clamp. So the membrane's compliance is 10⁻⁷ m/N on the lattice "
-            "and 10⁻⁶ m/N on the irregular mesh; the last chart shows both effects.")
+    """The section's text: what is measured, with numbers from the runs and the limits."""
+    return ("From the mesh, each model computes the compliances with which its constraints should have the "
+            f"stated B (hinges) or C (springs at rest). {lengths_text(runs)} Springs that push in the flat "
+            "sheet (prestressed) have a B, like hinges. All runs are static equilibria. The stiffness is "
+            "measured by a fit of moment against curvature, or from H/W if springs reach too far for a fit. "
+            f"The goal is the stated stiffness within {100 * LIMITS['equilateral']:g} % on the lattice and "
+            f"{100 * LIMITS['delaunay']:g} % on irregular meshes. Two effects prevent an exact result. The "
+            "springs of a bent sheet stretch a soft membrane, which reduces the stiffness. An irregular "
+            "mesh has no straight lines along which it could fold, so that a stiff membrane must stretch in "
+            "order to bend, most of all at the ragged edge of the clamp. On irregular meshes H/W is more "
+            "reliable than the fit, because the fit leaves out the clamp. So the membrane's compliance is "
+            "10⁻⁷ m/N on the lattice and 10⁻⁶ m/N on the irregular mesh. The last chart shows the effect of "
+            "this compliance.")
 
 
 def _checks(runs):
@@ -83,7 +85,7 @@ def _small_checks(small):
 
 
 def lengths_text(runs):
-    """The springs' length, and how many edges it is at every resolution, computed from the configs."""
+    """A sentence: the length of the springs in cm, and in edges at every resolution, from the configs."""
     springs = [run for run in runs if run.get(f"/bending/{run.model}/radius")
                and registry.has_springs_at_rest(run.model) and strips.family(run) == "equilateral"]
     if not springs:
@@ -96,54 +98,55 @@ def lengths_text(runs):
 
 
 def small_text(runs):
-    """What small deflections change, with the energy left on alternating diagonals computed from the runs."""
+    """Text: the stiffness at small deflections; the runs give the energy on alternating diagonals."""
     left = [strips.number(run, "model_small_deflection") / strips.number(run, "model_large_deflection")
             for run in runs if strips.family(run) == "alternating"
             and run.get("/bending/deflection") == "large"]
     share = f"{left[0]:.2f}" if left else "–"
-    return ("At small deflections a sheet finds shapes of lower energy than the cylinder that it was "
-            "calibrated on. On alternating diagonals the heights of vertices with four and with eight "
-            f"neighbours separate, and the bending energy is {share} of the cylinder's, in every direction. "
-            "A stiff membrane prevents that above a curvature of about 4 √(B / Y) / h² (Y: its stiffness in "
-            "N/m, h: an edge; an estimate, lib/bendlab/bending/sheet_response.hpp). So stiffness at small "
-            "and large deflections differs by a factor that depends on the mesh; /bending/deflection chooses "
-            "where the stated B holds.")
+    return ("At small deflections a sheet takes shapes of lower energy than the cylinder on which a model "
+            "is calibrated. On alternating diagonals, vertices with four neighbours take other heights than "
+            f"vertices with eight neighbours, and the bending energy is {share} of the cylinder's, in every "
+            "direction. A stiff membrane prevents shapes of lower energy above a curvature of about 4 √(B / "
+            "Y) / h² (Y: stiffness of the membrane in N/m, h: length of an edge; an estimate, "
+            "lib/bendlab/bending/sheet_response.hpp). So the stiffness at small deflections differs from "
+            "the stiffness at large deflections, by a factor that depends on the mesh. The setting "
+            "/bending/deflection chooses for which deflections the stated B is exact.")
 
 
 def name(run):
-    """The model's name, and whether pins have the paper's larger ring."""
+    """The name of a run's model, and whether the run's pins have the paper's larger ring."""
     return f"{run.model}, n-ring at pins" if run.model == "adaptive" and run.get(
         "/bending/adaptive/pin_zone") else run.model
 
 
 def _note(run):
-    """Why a run is measured by H/W, if it is."""
+    """A note if the stiffness of a run comes from H/W, with the reason."""
     if np.isnan(strips.number(run, "stiffness_fit_C")):
-        return "from H/W: the n-ring at the clamp reaches over most of the strip, no fit"
+        return "from H/W; no fit is possible, because the n-ring at the clamp covers most of the strip"
     return ""
 
 
 def share_of_droop(run):
-    """Stiffness from H/W, over the stated one."""
+    """Stiffness from H/W over the stated stiffness."""
     return strips.measured(run) / strips.stated(run)
 
 
 def share(run):
-    """Stiffness from the moment-curvature fit, else from H/W, over the stated one."""
+    """Stiffness over the stated stiffness: from the moment-curvature fit, or from H/W if there is no fit."""
     kind = "C" if registry.has_springs_at_rest(run.model) else "B"
     fit = strips.number(run, f"stiffness_fit_{kind}") / strips.stated(run)
     return share_of_droop(run) if np.isnan(fit) else fit
 
 
 def _title(rows):
-    """What refinement does, with the ratios of both rules."""
+    """The title: by which factors refinement changes the stiffness, with each rule."""
     of = lambda rule: [row["ratio"] for row in rows if row["rule"] == rule and np.isfinite(row["ratio"])]
     ruled, stated = of(RULES[1]), of(RULES[0])
     if not (ruled and stated):
         return "The stated stiffness, on finer meshes"
     return (f"Refinement changes the stiffness by factors of {number(min(ruled), 2)} to "
-            f"{number(max(ruled), 2)} with the paper's rule, of {min(stated):.2f} to {max(stated):.2f} if it "
-            f"is stated")
+            f"{number(max(ruled), 2)} with the paper's rule, and of {min(stated):.2f} to {max(stated):.2f} "
+            "with a stated stiffness")
 
 
 def _membrane_title(rows):
@@ -163,7 +166,7 @@ def _membrane_table(runs):
 
 
 def _summary(runs, before):
-    """The largest ratio of each model on each kind of mesh, by both rules."""
+    """Largest over smallest stiffness of each model on each kind of mesh, with each rule."""
     rows = []
     for rule, rule_runs, called, value in ((RULES[0], runs, name, share),
                                            (RULES[1], before, lambda run: run.model, strips.rigidity)):
@@ -179,9 +182,9 @@ def _summary(runs, before):
                          "share": (min(numbers), max(numbers)) if stated else None,
                          "p": (min(exponents), max(exponents)) if stated and exponents else None})
     rows = [row for row in rows if np.isfinite(row["ratio"]) and row["name"] != "none"]
-    return Table.of("summary", "Largest stiffness over smallest, over resolutions", [
+    return Table.of("summary", "Largest over smallest stiffness of all resolutions", [
         ("name", "model"), "rule", "mesh", ("cells", "cells"), ("ratio", "largest ratio", ".3f"),
-        ("share", "measured over stated", ".3f"), ("p", "p", ".2f"),
+        ("share", "measured over stated", ".3f"), ("p", "p of m ∝ κ^p", ".2f"),
         ("family", "family", "", "", "", False)], rows)
 
 
@@ -198,7 +201,7 @@ def _small_table(runs):
     kinds = {"small_deflection": "sheet, mean over directions",
              "large_deflection": "sheet held to a cylinder",
              "small_strip": "free narrow strip"}
-    return Table.of("small", "Small deflection: hinges (dihedral), tip = L / 1000", [
+    return Table.of("small", "Small deflection: hinges (dihedral), the tip deflects by L / 1000", [
         "mesh", ("deflection", "calibrated at deflection"), ("share", "measured over stated", ".3f"),
         *(column for kind, label in kinds.items()
           for column in ((kind, label, ".3f"), (f"{kind}_range", "from – to", ".3f")))], rows)
@@ -212,5 +215,5 @@ def _table(runs):
             for run in sorted(runs, key=lambda run: (name(run), strips.family(run), strips.cells(run)))]
     return Table.of("calibrated", "Calibrated", [
         ("name", "model"), "mesh", ("cells", "cells along the length"),
-        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "the same from H/W"),
-        ("p", "p", ".3f"), ("droop", "H/W"), ("springs", "springs", ".0f")], rows)
+        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "measured from H/W over stated"),
+        ("p", "p of m ∝ κ^p", ".3f"), ("droop", "H/W"), ("springs", "springs", ".0f")], rows)

@@ -1,4 +1,4 @@
-"""Effect of the solver on stiffness: XPBD and static equilibrium; k over iterations and time step."""
+"""Stiffness and solver: XPBD against static equilibrium, and k against iterations and time step."""
 import numpy as np
 
 from tables.numbers import number
@@ -12,8 +12,8 @@ ITERATIONS = (lambda run: run.get("/solver/iterations"))
 TIME_STEP = (lambda run: round(1 / run.get("/solver/dt")))
 SETTINGS = {"iterations": "iterations per step of 1/60 s",
             "time_step": "steps per second, 10 iterations each"}
-STRIP = ("Every model with k = 0.5 on the same strip (equilateral lattice, 24 cells), with a tenth of "
-         "gravity. For springs this B holds at this curvature only.")
+STRIP = ("Every model has k = 0.5 on one strip (equilateral lattice, 24 cells), under a tenth of gravity. "
+         "For springs, B is valid only at the curvature of this strip.")
 
 
 def main(results, out, section):
@@ -27,24 +27,25 @@ def main(results, out, section):
         section.checks.append(Check(f"H/W, XPBD with {substeps(finest)} substeps", model,
                                     strips.mesh_name(finest), strips.droop(static), strips.droop(finest),
                                     0.02, "static equilibrium of the same energies",
-                                    note="springs and membrane compete" if model == "lod" else ""))
+                                    note="springs stretch the membrane" if model == "lod" else ""))
     section.checks += [_growth("B at 100 iterations over B at 1", iterations, ITERATIONS),
                        _growth("B at 1/480 s over B at 1/30 s", time_step, TIME_STEP)]
     section.tables += [_approach(series), _cheap(cheap), _settings("iterations", iterations, ITERATIONS),
                        _settings("time_step", time_step, TIME_STEP)]
     off = [own_rows[-1]["off"] for own_rows in group(section.table("approach"), lambda row: (
         row["model"], row["cells"])).values()]
-    title = "Droop of the strip over its droop in equilibrium"
+    title = "H/W of the strip over H/W in equilibrium"
     if off:
         title = f"With the most substeps the error of H/W is {number(min(off), 2)} to {number(max(off), 2)} %"
     section.charts = [
         Chart("substeps", title, "approach", "substeps", ["over", "off"], held=["cells"], scale="log2",
               limits=[("over", 1, "equilibrium"), ("off", 1, "1 %")]),
-        Chart("cheap", "Cheap settings give a part of the stated stiffness", "cheap", "substeps", ["share"],
+        Chart("cheap", "Cheap settings give only a part of the stated stiffness", "cheap", "substeps",
+              ["share"],
               scale="log2", limits=strips.as_stated("share"), note="24 cells."),
-        Chart("iterations", f"One k: {_growth_text(iterations, ITERATIONS)} with more iterations",
+        Chart("iterations", f"One k: models are {_growth_text(iterations, ITERATIONS)} with more iterations",
               "iterations", "x", ["B"], y_scale="log", note=STRIP),
-        Chart("time_step", f"One k: {_growth_text(time_step, TIME_STEP)} with shorter steps",
+        Chart("time_step", f"One k: models are {_growth_text(time_step, TIME_STEP)} with shorter steps",
               "time_step", "x", ["B"], y_scale="log", note=STRIP)]
 
 
@@ -53,7 +54,7 @@ def substeps(run):
 
 
 def static_and_dynamic(runs):
-    """(model, cells) → (static run, dynamic runs), if there are both."""
+    """(model, cells) → (static run, dynamic runs), if both kinds of runs exist."""
     series = {}
     for key, own_runs in group(runs, lambda run: (run.model, strips.cells(run))).items():
         static = [run for run in own_runs if run.get("/solver/method") == "equilibrium"]
@@ -64,7 +65,8 @@ def static_and_dynamic(runs):
 
 
 def _growth(check, runs, setting):
-    """Checks stiffness at the finest setting over that at the coarsest: the largest ratio of all models."""
+    """Checks stiffness with the finest setting over stiffness with the coarsest, the largest of all
+    models."""
     ratios = {}
     for model, own_runs in by_model(runs).items():
         ends = [strips.rigidity(pick(own_runs, key=setting)) for pick in (min, max)]
@@ -77,7 +79,7 @@ def _growth(check, runs, setting):
 
 
 def _growth_text(runs, setting):
-    """How many times as stiff models are with the finest setting as with the coarsest."""
+    """Text: stiffness with the finest setting over stiffness with the coarsest setting, range over models."""
     growth = []
     for model, own_runs in by_model(runs).items():
         ends = [strips.rigidity(pick(own_runs, key=setting)) for pick in (min, max)]

@@ -1,4 +1,4 @@
-"""Share of the stated stiffness that a run has: its own estimate compared with its strip."""
+"""The share of the stated stiffness that a run has: the program's estimate against the measured share."""
 import numpy as np
 
 from tables.numbers import number
@@ -21,7 +21,7 @@ def main(results, out, section):
         if row["measured"] >= CHECKED:
             section.checks.append(Check(f"effective bending stiffness, {row['solver']}", row["model"],
                                         row["mesh"], row["measured"], row["estimate"], TOLERANCE,
-                                        "the strip's droop over that in static equilibrium"))
+                                        "stiffness of the strip over its stiffness in static equilibrium"))
     section.tables.append(Table.of("effective", "Effective bending stiffness", [
         "model", "solver", ("substeps", "substeps", "", "", "", False),
         ("measured", "share, measured on the strip"),
@@ -35,11 +35,12 @@ def main(results, out, section):
     checked = [abs(row["off"]) for row in rows if row["measured"] >= CHECKED]
     title = "Share of the stated stiffness"
     if checked:
-        title += (f": estimated within {number(max(checked), 2)} % for the {len(checked)} runs with at least "
-                  f"{100 * CHECKED:.0f} % of it")
+        title += (f", estimated within {number(max(checked), 2)} % in {len(checked)} runs with a share of at "
+                  f"least {100 * CHECKED:.0f} %")
     section.charts = [
         Chart("effective", title, "effective", "measured", ["estimate"], joined=False, y_scale="log",
-              theory="equal", note=f"On the line both are equal; the checks allow {100 * TOLERANCE:g} %."),
+              theory="equal", note="On the line, the estimate is equal to the measured share. The checks "
+                                   f"allow a difference of {100 * TOLERANCE:g} %."),
         Chart("substeps_effective", "The share of the stated stiffness over substeps", "once", "substeps",
               ["share"],
               ["model", "what"], scale="log2", y_scale="log", limits=[("share", 0.9, "90 %")])]
@@ -49,7 +50,7 @@ def main(results, out, section):
 
 
 def shares(runs):
-    """A dict per run that has an estimate and a static run of the same model."""
+    """A row for each run with an estimate, if the model also has a run of static equilibrium."""
     rows = []
     for model, own_runs in by_model(runs).items():
         static = [run for run in own_runs if run.get("/solver/method") == "equilibrium"]
@@ -69,7 +70,7 @@ def shares(runs):
 
 
 def doubling_text(rows):
-    """How much of 1 / share - 1 one doubling of the substeps removes, for hinges and springs."""
+    """Text: by how much each doubling of the substeps reduces 1 / share - 1, for hinges and for springs."""
     removed = {"hinges": [], "springs": []}
     for model, own_rows in group([row for row in rows if row["iterations"] == 1],
                                  lambda row: row["model"]).items():
@@ -81,11 +82,11 @@ def doubling_text(rows):
                         else "hinges"].append(1 - (left[1] / left[0]) ** (1 / doublings))
     ends = {kind: [f"{100 * pick(own_rows):.0f}" for pick in (min, max)] for kind, own_rows in removed.items()
             if own_rows}
-    parts = [f"for {kind} it removes {' to '.join(dict.fromkeys(pair))} %" for kind, pair in ends.items()]
+    parts = [f"by {' to '.join(dict.fromkeys(pair))} % for {kind}" for kind, pair in ends.items()]
     if not parts:
         return ""
-    text = "Each doubling of the substeps reduces the missing stiffness 1 / share − 1: " + ", ".join(
-        parts) + "."
+    text = ("Each doubling of the substeps reduces 1 / share − 1, a measure of the missing stiffness, "
+            + ", ".join(parts) + ".")
     if all(removed.values()) and np.median(removed["springs"]) < np.median(removed["hinges"]):
-        text += " It removes less for springs because the membrane has to converge as well."
+        text += " The reduction is smaller for springs because the membrane must converge as well."
     return text

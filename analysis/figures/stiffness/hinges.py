@@ -1,4 +1,4 @@
-"""Hinges against the heavy elastica: H/W, flexural rigidity, exponent, growth with gravity."""
+"""Strips of hinges against the heavy elastica (a strip that bends under its weight, in theory)."""
 import numpy as np
 
 from runs import strips
@@ -7,22 +7,22 @@ from tables.chart import Chart
 from tables.section import Check
 from tables.table import Table
 
-GIVEN = 1.5696e-3  # N m; B that the compliances in the config give each model
+GIVEN = 1.5696e-3  # N m; B of every model with the compliances in the config
 CURVE = "heavy elastica, Runge-Kutta (analysis/runs/strips.py)"
-# Width of the strip in cm → B from H/W over B, at 0.003 g; not from this page's runs. B from H/W approaches B
-# as the width grows; by theory a narrow beam has 1 - ν² = 0.889 of B.
+# Width of the strip in cm → B from H/W over the stated B, at 0.003 g, measured with REPEAT. The ratio
+# approaches 1 as the width grows. In theory, a narrow beam has a ratio of 1 - ν² = 0.889.
 WIDTHS = {3: 0.928, 6: 0.944, 12: 0.964, 20: 0.978, 40: 0.989}
 REPEAT = ("./bendlab run configs/stiffness/gravity.json --out /tmp/widths --set /mesh/height=0.03 "
           "--set '/bending={\"model\":\"discrete_shells\",\"stiffness\":\"physical\","
           "\"flexural_rigidity\":0.0015696}'")
-ACROSS = ("under small loads free edges also bend across the strip, and a beam has less than the B of a "
-          "wide sheet. Measured apart from this page at 0.003 g: B from H/W over B is "
+ACROSS = ("under small loads the free edges also bend across the strip, so that a narrow strip has a "
+          "smaller B than a wide sheet. In separate runs at 0.003 g, B from H/W over the stated B is "
           f"{', '.join(f'{share:.3f}' for share in WIDTHS.values())} for widths of "
-          f"{', '.join(map(str, WIDTHS))} cm ({REPEAT}, and other heights)")
+          f"{', '.join(map(str, WIDTHS))} cm ({REPEAT}, and with other values of /mesh/height)")
 
 
 def main(results, out, section):
-    """Hinge models whose compliances give one flexural rigidity."""
+    """Measures all hinge models, with compliances that give one flexural rigidity."""
     runs = strips.experiment_runs(results, section, "hinges", "hinges_slow")
     control = strips.experiment_runs(results, section, "control")
     theory = strips.elastica_droop([strips.load_number(run, GIVEN) for run in runs])
@@ -32,7 +32,7 @@ def main(results, out, section):
     section.checks += control_checks(control)
     section.tables += [_table(runs, control), _elastica()] if runs else []
     resolved = [abs(row["off"]) for row in section.table("hinges") if row["load"] < 60 or row["cells"] >= 48]
-    title = "How far strips of hinges hang down, and theory"
+    title = "How far strips of hinges hang down, compared with theory"
     if resolved:
         title = (f"{len({run.model for run in runs})} hinge models are within {max(resolved):.1f} % of the "
                  "heavy elastica where the mesh resolves the fold")
@@ -64,7 +64,7 @@ def _checks(run, droop):
 
 
 def _slopes(runs):
-    """Checks of d ln(H/W) / d ln g at H/W below 0.3."""
+    """Checks of the exponent d ln(H/W) / d ln g (g: gravity), from runs with H/W below 0.3."""
     checks = []
     for (model, cells), own_runs in group(runs, lambda run: (run.model, strips.cells(run))).items():
         small = [run for run in own_runs if strips.droop(run) < 0.3]
@@ -77,15 +77,15 @@ def _slopes(runs):
 
 
 def control_checks(control):
-    """Checks of the membrane without bending: its B is the smallest error that a measured B can have."""
+    """Checks that the membrane without bending has a small B, which is an error of every measured B."""
     return [Check("B of the membrane without bending (N m), from H/W", "none", strips.mesh_name(run),
-                  0.02 * GIVEN, floor_rigidity(run), 0, "2 % of the B given to hinges", "most",
+                  0.02 * GIVEN, floor_rigidity(run), 0, "2 % of the stated B of hinges", "most",
                   note="no straight lines to fold along" if strips.family(run) == "delaunay" else "")
             for run in control]
 
 
 def floor_rigidity(run):
-    """B from H/W; 0 if the strip hangs straight down or beyond, so that no elastica has its H/W."""
+    """B from H/W; 0 if the strip hangs straight down or past the vertical, where no elastica has this H/W."""
     value = strips.rigidity(run)
     return 0.0 if np.isnan(value) else value
 

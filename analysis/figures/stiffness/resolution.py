@@ -25,16 +25,16 @@ def main(results, out, section):
     section.charts.append(Chart(
         "resolution", _title(section.table("ratios"), runs), "resolution", "cells", ["B"], held=["mesh"],
         scale="log2", y_scale="log",
-        note="none: the same meshes without bending. A strip that hangs straight down has no point."))
+        note="The model none does not resist bending. A strip that hangs straight down has no point."))
 
 
 def ratio(runs):
-    """Largest over smallest B of runs of one model and kind of mesh."""
+    """Largest over smallest B of these runs, which have one model and one kind of mesh."""
     return strips.largest_ratio([strips.rigidity(run) for run in runs])
 
 
 def _levels(runs):
-    """Level m of eq. 6 from coarse to fine, as text; – for models without."""
+    """The levels m (eq. 6) from the coarsest to the finest mesh, as text; – for a model without levels."""
     levels = [strips.number(run, "model_m") for run in sorted(runs, key=strips.cells)]
     return ", ".join(f"{level:.0f}" for level in levels if np.isfinite(level)) or "–"
 
@@ -50,7 +50,7 @@ def _title(ratios, runs):
                                                   and np.isfinite(row["ratio"])), 2) for pick in (min, max))
     other_models = {row["model"] for row in ratios} - {*CLAIMED, "none"}
     return (f"From {counts[0]} to {counts[-1]} cells the stiffness of the paper's models changes by factors "
-            f"of {ends(CLAIMED)}, that of the others by {ends(other_models)}")
+            f"of {ends(CLAIMED)}, the stiffness of other models by {ends(other_models)}")
 
 
 def _table(runs):
@@ -67,5 +67,5 @@ def _ratios(runs):
              "cells": (min(map(strips.cells, own_runs)), max(map(strips.cells, own_runs)))}
             for (model, family), own_runs in group(sorted(runs, key=lambda run: run.model),
                                                    lambda run: (run.model, strips.family(run))).items()]
-    return Table.of("ratios", "Largest B over smallest B of a strip, over resolutions",
+    return Table.of("ratios", "Largest over smallest B of a strip at all resolutions",
                     ["model", "mesh", "cells", ("ratio", "largest ratio")], rows)

@@ -1,4 +1,4 @@
-"""Ring springs: moment ∝ κ³ and its coefficient, the membrane's effect on both, and droop over gravity."""
+"""Ring springs: is the moment C κ³, how does the membrane change C, and how does droop grow with gravity?"""
 import numpy as np
 
 from tables import looks
@@ -9,7 +9,7 @@ from tables.chart import Chart
 from tables.section import Check, Section
 from tables.table import Table
 
-RATIO = 2e5  # R⁴ / (α C); from here on the membrane reduces C by at most about 1 %
+RATIO = 2e5  # R⁴ / (α C); above this value the membrane reduces C by at most about 1 %
 SOURCE = "shortening of every spring on a polyhedral cylinder (analysis/runs/strips.py)"
 
 
@@ -22,7 +22,7 @@ def place(run):
 
 
 def expected_quartic(run):
-    """C of the strip's own springs, N m³."""
+    """Theoretical C of the springs of a strip, in N m³."""
     return strips.expected_quartic(run.rest_positions, run.triangles, run.pinned, ring(run),
                                    1 / run.get("/bending/compliance"))
 
@@ -36,7 +36,7 @@ def membrane_ratio(run, quartic):
 def main(results, out, section):
     runs = strips.experiment_runs(results, section, "springs", "springs_slow")
     sweep = strips.experiment_runs(results, section, "gravity")
-    # C depends on the mesh, not on the membrane
+    # The theoretical C depends on the mesh, not on the membrane
     quartic_of = {key: expected_quartic(own[0]) for key, own in group(runs, place).items()}
     points = [(run, quartic_of[place(run)], membrane_ratio(run, quartic_of[place(run)])) for run in runs]
     for _, own in group(points, lambda point: place(point[0])).items():
@@ -50,7 +50,7 @@ def main(results, out, section):
               + [("p", 3, "shortening ∝ κ²")]),
         Chart("gravity", _gravity_title(section.table("gravity")), "gravity", "g", ["droop"], ["line"],
               look="",
-              note="Only where H/W is small. Hinges: discrete_shells.")]
+              note="Runs with H/W below 1. The hinges are discrete_shells.")]
 
 
 def _checks(run, quartic, ratio):
@@ -62,7 +62,7 @@ def _checks(run, quartic, ratio):
 
 
 def slopes(runs):
-    """Checks of d ln(H/W) / d ln g at H/W below 0.3."""
+    """Checks of the exponent d ln(H/W) / d ln g (g: gravity), from runs with H/W below 0.3."""
     checks = []
     for label, own_runs in group(runs, line_name).items():
         small = [run for run in own_runs if strips.droop(run) < 0.3]
@@ -79,12 +79,12 @@ def line_name(run):
 
 
 def _title(rows):
-    """What the membrane does to C."""
+    """The title: the measured C with a stiff and with a soft membrane."""
     near = [row["C_moment"] for row in rows if RATIO / 3 < row["ratio"] < RATIO * 3]
     soft = [row["C_moment"] for row in rows if row["ratio"] < RATIO / 30]
     if not near:
         return "C of springs"
-    text = f"With a stiff membrane C is {100 * min(near):.0f} to {100 * max(near):.0f} % of the springs' C"
+    text = (f"With a stiff membrane, C is {100 * min(near):.0f} to {100 * max(near):.0f} % of the springs' C")
     return text + (f", with a membrane at least 30 times softer {100 * min(soft):.0f} to "
                    f"{100 * max(soft):.0f} %"
                    if soft else "")
@@ -98,7 +98,7 @@ def _table(points):
             for run, quartic, ratio in sorted(points, key=lambda point: (*place(point[0]), point[2]))]
     return Table.of("springs", "Ring springs", [
         ("ring", "ring"), ("cells", "cells"), ("alpha", "compliance α of the membrane", "", "m/N"),
-        ("ratio", "R⁴ / (α C): stiffness of the membrane over that of the springs"),
+        ("ratio", "R⁴ / (α C): stiffness of the membrane over stiffness of the springs"),
         ("C", "C of the springs", "", "N m³"), ("C_moment", "C from m(κ) over C of the springs", ".3f"),
         ("C_droop", "C from H/W over C of the springs", ".3f"), ("p", "exponent p of m ∝ κ^p", ".3f")], rows)
 
@@ -117,10 +117,10 @@ def _gravity_table(runs, results):
                   "droop": strips.droop(run), "slope": slope} for run in own_runs]
     return Table.of("gravity", "Droop over gravity", [
         ("line", "springs"), "kind", ("g", "gravity", "", "m/s²"), ("droop", "H/W of the free end", ".4f"),
-        ("slope", "power of g with which H/W grows", ".3f")], rows)
+        ("slope", "exponent p of H/W ∝ g^p", ".3f")], rows)
 
 
 def _gravity_title(rows):
     powers = {kind: " to ".join(sorted({f"{row['slope']:.2f}" for row in own_rows}))
               for kind, own_rows in group(rows, lambda row: row["kind"]).items()}
-    return "Droop grows as g to the power: " + ", ".join(f"{kind} {power}" for kind, power in powers.items())
+    return "H/W grows as a power of g: " + ", ".join(f"{kind} {power}" for kind, power in powers.items())

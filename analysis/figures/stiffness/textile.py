@@ -7,10 +7,10 @@ from tables.chart import Chart
 from tables.section import Check
 from tables.table import Table
 
-# Flexural rigidity (N m), the same plus half the hysteresis 2HB at 0.5/cm, weight (kg/m²), drape coefficient
-# (%). Matsudaira, Masuda, Wada, Yokura 2015, J. Textile Engineering 61(6), doi 10.4188/jte.61.69, tables 1
-# and 2, copied from the transcription of another project. We have not seen the original and do not know its
-# specimen size.
+# (flexural rigidity in N m, this rigidity plus half of the hysteresis 2HB at a curvature of 0.5/cm, weight in
+# kg/m², drape coefficient in %). Matsudaira, Masuda, Wada, Yokura 2015, J. Textile Engineering 61(6), doi
+# 10.4188/jte.61.69, tables 1 and 2, copied from the transcription of another project. We have not seen the
+# original and do not know the size of the specimen.
 FABRICS = {"polyester faille": (1.863e-6, 2.550e-6, 0.1043, 28.3),
            "wool tropical": (6.570e-6, 9.807e-6, 0.1629, 49.8),
            "polyester tropical": (7.551e-6, 1.040e-5, 0.1165, 50.7),
@@ -39,13 +39,13 @@ def main(results, out, section):
               and "30 cm" in check.mesh]
     section.tables += [_curves(drape), _drape_table(drape)]
     section.charts.append(Chart(
-        "drape", f"{sum(inside)} of {len(inside)} fabrics drape within 10 points of the measured "
-                 "coefficient, without tuning", "curves", "length", ["drape"], ["tester"], scale="linear",
+        "drape", f"{sum(inside)} of {len(inside)} drape coefficients are within 10 points of the "
+                 "measurement, without tuning", "curves", "length", ["drape"], ["tester"], scale="linear",
         y_scale="linear",
         look="",
-        note="Long curves: simulated, means over seeds. Level lines: measured, from the bending length of B "
-             "to that with friction; the drape of an isotropic sheet that does not stretch depends on the "
-             "bending length alone."))
+        note="Curves are simulated, with means over seeds. Horizontal lines are measured fabrics: a line "
+             "goes from the bending length without friction to the bending length with friction. The drape "
+             "of an isotropic sheet that does not stretch depends on the bending length alone."))
 
 
 def bending_length(run):
@@ -58,13 +58,13 @@ def length_of(rigidity, weight):
 
 
 def coefficient(runs, length, radius):
-    """Drape coefficient (%) at a bending length: mean over seeds, interpolated; NaN outside the runs."""
+    """Drape coefficient (%) at a bending length, from interpolated means over seeds; NaN outside the runs."""
     curve = curve_of(runs, radius)
     return float(np.interp(length, *curve, left=np.nan, right=np.nan)) if len(curve[0]) else np.nan
 
 
 def curve_of(runs, radius):
-    """Bending lengths in m, ascending, and drape coefficients in %."""
+    """(bending lengths in m, ascending; drape coefficients in %, means over seeds)."""
     groups = group([run for run in runs if run.get("/mesh/radius") == radius],
                    lambda run: round(bending_length(run), 6))
     lengths = np.array(sorted(groups))
@@ -80,19 +80,19 @@ def drape_checks(runs):
             for fabric, (rigidity, _, weight, measured) in FABRICS.items():
                 checks.append(Check(f"drape coefficient of {fabric} (%)", "discrete_shells", tester, measured,
                                     coefficient(runs, length_of(rigidity, weight) * (1 + 1e-6), radius), 10,
-                                    SOURCE, "absolute", note="one B for warp and weft, no friction, no shear "
-                                    "of the fabric"))
+                                    SOURCE, "absolute", note="the simulation has one B for warp and weft, no "
+                                    "friction, and no shear of the fabric"))
     return checks
 
 
 def catenary_of(run):
-    """(length of the sheet, gap between its held edges, sag below them) in m."""
+    """(length of the sheet, gap between its held edges, sag below these edges) in m."""
     rest, end, pinned = run.rest_positions, run.positions(-1), run.pinned
     return np.ptp(rest[:, 0]), np.ptp(end[pinned, 0]), end[pinned, 2].max() - end[:, 2].min()
 
 
 def catenary_sag(ratio):
-    """Sag over gap of a chain, length over gap `ratio`: 2 a sinh(1/2a) = ratio, sag a (cosh(1/2a) - 1)."""
+    """Sag over gap of a chain, a (cosh(1/2a) - 1); a is from 2 a sinh(1/2a) = ratio (length over gap)."""
     low, high = 1e-3, 1e3  # of 1/2a
     for _ in range(200):
         middle = np.sqrt(low * high)
@@ -120,7 +120,8 @@ def _drape_table(runs):
                                               for radius in TESTERS
                                               for kind, length in (("plain", plain), ("friction", friction))})
     testers = {0.15: "30 cm", 0.127: "25.4 cm"}
-    return Table.of("drape", "Drape coefficient, measured and simulated; with friction: B + HB/(0.5/cm)", [
+    return Table.of("drape", "Drape coefficient, measured and simulated; columns with friction have the "
+                             "rigidity B + HB/(0.5/cm)", [
         "fabric", ("B", "B", "", "µN m"), ("weight", "weight", ".4f", "kg/m²"),
         ("length", "bending length", ".2f", "cm"), ("measured", "measured", ".1f", "%"),
         *((f"{kind}_{radius}", testers[radius] + (", friction" if kind == "friction" else ""), ".1f", "%")

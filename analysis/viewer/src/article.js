@@ -1,4 +1,4 @@
-/** The parts of the script that a page without a player needs, too. */
+/** The parts of the script that every page needs, with or without a player. */
 import { startCharts } from "./charts/index.js";
 import { startChooser } from "./chooser/chooser.js";
 import { startNavigation } from "./page/navigation.js";

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// Samples of a line; `fine` if a part of the line may be held.
+// Number of samples along a line; `fine` if a part of the line may lie on held triangles.
 constexpr std::size_t most_samples = 6, fine = 24;
 
 constexpr std::array<bool, fine> every_place = [] {

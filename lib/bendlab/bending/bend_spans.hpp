@@ -1,5 +1,4 @@
-// Where on the sheet a constraint resists bending, and how much a clamp reduces the curvature at the
-// constraint.
+// Where on the sheet a constraint resists bending, and how much less the constraint bends near a clamp.
 #pragma once
 
 #include <array>
@@ -21,23 +20,22 @@ struct Span {
   double seen = 1;
 };
 
-/// The span of a hinge. Its energy belongs to the third of each triangle that is nearest to the edge. If one
-/// triangle is held, half of the angle is left.
+/// The span of a hinge. The energy of the hinge belongs to the third of each triangle that is nearest to the
+/// edge. If one of the two triangles is held, the hinge keeps half of its angle.
 Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins);
 
 /// The spans of vertex pairs. The line between two vertices, s from 0 to 1, bends by κ(s) and shortens by δ:
 ///
 ///     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
 ///
-/// A point's share of the energy is its share of the moment ∂δ/∂κ(s), which is ∝ s (1 - s) on a line that
-/// bends evenly. A held part of the line does not bend.
+/// A point's share of the energy is its share of the moment ∂δ/∂κ(s). On a line that bends evenly, this
+/// moment is ∝ s (1 - s). A part of the line on held triangles does not bend.
 class PairSpans {
  public:
   /// `held` is from held_triangles(), `plane` from UnitBend::plane(). All arguments are kept by reference.
   PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<char>& held,
             std::span<const Vector2> plane);
 
-  /// The span of the pair a, b.
   Span operator()(int a, int b) const;
 
  private:

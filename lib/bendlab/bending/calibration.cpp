@@ -15,8 +15,8 @@
 namespace bendlab {
 namespace {
 
-// Edges around the innermost vertex, which are 5000 vertices. D is then within 1 % of the D of a whole
-// irregular sheet, and takes 0.1 s at most.
+// Radius of the measured patch around the innermost vertex, in edges: about 5000 vertices. The rigidity D of
+// this patch is within 1 % of the D of a whole irregular sheet, and is computed in 0.1 s at most.
 constexpr int response_patch = 40;
 
 double square(double x) {
@@ -32,7 +32,7 @@ std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>&
   return area;
 }
 
-// How a kind resists: to the angle by which two triangles fold, or to two vertices coming closer.
+// What a kind of constraint resists: a fold between two triangles, or a shorter distance of two vertices.
 template <class Kind>
 constexpr bool folds = std::is_same_v<Kind, HingeAngle> || std::is_same_v<Kind, QuadraticBend>;
 template <class Kind>
@@ -43,7 +43,7 @@ constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
   return ((folds<Kinds> || shortens<Kinds>)&&...);
 }
 static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
-              "a new kind has to be calibrated too: state in folds or shortens how it resists");
+              "a new kind of constraint needs a calibration, too: name the kind in folds or shortens");
 
 class Calibration {
  public:
@@ -76,7 +76,7 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
-  // A model states the softness of its own elements for a rigidity of 1 N m, so they need no fit.
+  // A model states the softness of its own elements for a rigidity of 1 N m, so these elements need no fit.
   void scale_own_elements(OwnElements& own) {
     if (own.size() == 0) return;
     const std::vector<Vector2> plane = plane_coordinates(rest_);
@@ -90,8 +90,8 @@ class Calibration {
     if (!quartic_.empty()) meet(quartic_, area, quartic() / 4, 4, "quartic");
     if (membrane_)
       constraints_.facts.push_back({"membrane_quartic", *membrane_,
-                                    "C that the membrane itself has per N/m of its stiffness, because this "
-                                    "mesh cannot bend without strain",
+                                    "C of the membrane itself, per N/m of membrane stiffness; not 0, because "
+                                    "this mesh cannot bend without strain",
                                     "m⁴"});
   }
 
@@ -171,7 +171,7 @@ class Calibration {
     });
     const auto [least, most] = std::ranges::minmax(shares);
     constraints_.facts.push_back({"large_deflection", mean(shares),
-                                  "share of the stated B that the sheet has if its membrane holds it to a "
+                                  "share of the stated B that the sheet has if its membrane forces it to a "
                                   "cylinder, mean over directions"});
     constraints_.facts.push_back(
         {"large_deflection_least", least, "smallest value of large_deflection over directions"});
@@ -179,11 +179,11 @@ class Calibration {
         {"large_deflection_most", most, "largest value of large_deflection over directions"});
   }
 
-  // Brings the rigidity of the relaxed sheet nearer to that of the cylinder. The sheet relaxes by the hinges
-  // that fold less in the relaxed sheet than in the cylinder. These hinges get softer and all other hinges
-  // stiffer, along the gradient of the energy that relaxing saves (convex in the stiffnesses). refit() then
-  // restores the energy that the cylinder lacks. Measured on irregular sheets: after 8 rounds half of the
-  // difference is left, and more rounds change nothing. On a grid the rigidity would come to depend more on
+  // Reduces the difference between the rigidities of the relaxed sheet and of the cylinder. Hinges that fold
+  // less in the relaxed sheet than in the cylinder get softer, and all other hinges get stiffer. The changes
+  // follow the gradient of the energy that relaxing saves, which is convex in the stiffnesses. Then refit()
+  // restores the energy of the cylinder. Measured on irregular sheets: after 8 rounds half of the difference
+  // is left, and more rounds change nothing. On a grid, the changes would make the rigidity depend more on
   // the direction, so the hinges of a grid keep their factors.
   void agree(const SheetResponse& response, const std::vector<double>& energy) {
     constexpr int rounds = 8, refits = 2;
@@ -249,19 +249,19 @@ class Calibration {
     };
     add(
         "large_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.unrelaxed, d); },
-        "share of the stated B that the sheet has if its membrane holds it to a cylinder, mean over "
+        "share of the stated B that the sheet has if its membrane forces it to a cylinder, mean over "
         "directions");
     add(
         "small_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.relaxed, d); },
-        "share of the stated B that the sheet has if it is bent along a line so little that its membrane "
-        "does not matter, mean over directions");
+        "share of the stated B that the sheet has at deflections so small that its membrane does not matter, "
+        "mean over directions");
     add(
         "small_strip", [&](const Vector2& d) { return strip_rigidity(answer.relaxed, d); },
-        "share of the stated B that a strip has if it is so narrow and so little bent that it may curve "
-        "across as well (Poisson's ratio), mean over directions");
+        "share of the stated B that a narrow strip has at small deflections, where it may also curve across "
+        "its width (Poisson's ratio), mean over directions");
     facts.push_back({"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
-                     "divided by the square root of the membrane's stiffness in N/m, this is about the "
-                     "curvature in 1/m above which the membrane holds the sheet to a cylinder",
+                     "this value divided by √Y is about the curvature in 1/m above which a membrane of "
+                     "stiffness Y (N/m) forces the sheet to a cylinder",
                      "√(N/m)/m"});
     return facts;
   }
@@ -314,7 +314,7 @@ class Calibration {
   }
 
   // `energy` is a function of the shortening. A spring along an edge is part of the membrane, and a spring
-  // between pins resists nothing: both have no bending energy.
+  // between pins resists nothing, so these springs have no bending energy.
   template <class Energy>
   void add_pair(StiffnessFit& fit, double& softness, const std::array<int, 2>& pair, const UnitBend& bend,
                 const PairSpans& spans, const Energy& energy) {
@@ -342,8 +342,8 @@ class Calibration {
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
       const double length = (rest_.position(a) - rest_.position(b)).norm(), push = list.rest(c) - length;
-      // The energy is ½ (push + δ)². Its part that is linear in δ is quadratic in κ, so a spring that pushes
-      // has a moment linear in κ.
+      // The energy is ½ (push + δ)². The part of this energy that is linear in δ is quadratic in κ, so a
+      // spring that pushes has a moment linear in κ.
       if (linear && push > at_rest * length)
         add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return push * std::max(0.0, shorter) / list.softness[c]; });

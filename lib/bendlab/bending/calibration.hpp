@@ -5,16 +5,16 @@
 //     ½ B κ²    where hinges, arcs or springs that push resist (moment B κ per width), B in N m,
 //     ¼ C κ⁴    where springs at rest do (moment C κ³), C in N m³.
 //
-// The energy of each constraint in the bent sheet is known in advance (unit_bend.hpp), and so is its moment
-// at each point of its line. calibrate() finds stiffnesses for which each vertex has the energy of its area,
-// in every direction. Springs that end at free edges, denser springs around pins and the directions of the
-// mesh limit the accuracy of this fit. Triangles whose corners are all pinned do not bend; a constraint that
-// reaches into them is bent less.
+// The energy of each constraint in the bent sheet is known in advance (unit_bend.hpp), and also the moment at
+// each point of the constraint's line. calibrate() finds stiffnesses for which each vertex has the energy of
+// its area, in every direction. Springs that end at free edges, denser springs around pins and the directions
+// of the mesh limit the accuracy of this fit. Triangles whose corners are all pinned do not bend; a
+// constraint that reaches into such triangles is bent less.
 //
-// Between its vertices a sheet need not bend to a cylinder. At large deflections a membrane that hardly
-// stretches forces it to, and B is the rigidity of the cylinder. At small deflections the sheet finds shapes
-// with less energy (sheet_response.hpp), and B is smaller. Hinges on an equilateral lattice have one B for
-// both. On other meshes the two rigidities differ, and the target says at which deflections B holds:
+// A sheet may bend to a shape that is only near a cylinder. At large deflections a membrane that hardly
+// stretches forces the sheet to the cylinder, and B is the rigidity of the cylinder. At small deflections the
+// sheet finds shapes with less energy (sheet_response.hpp), and B is smaller. Hinges on an equilateral
+// lattice have the same B at all deflections. On other meshes the target says at which deflections B holds:
 //
 //     hinges, all alike          B at small / at large deflections
 //     equilateral lattice        1
@@ -23,10 +23,11 @@
 //     grid, same diagonal        1, but the direction matters: 0.46 to 2.0 times the mean
 //     irregular (delaunay)       0.92 to 0.94; 0.97 with Deflection::both
 //
-// A spring averages the curvature over its length. The membrane has to hold springs that push: with a
-// membrane compliance of 10⁻⁷ m/N, strips of 24 cells have 0.70 to 0.84 of B at small deflections (1.6 on one
-// diagonal) and 0.92 to 1.31 at large ones. Arcs push only when something shortens them: below a curvature of
-// about 20 √(B / Y) / L² the membrane stretches instead, and arcs have no linear stiffness.
+// A spring averages the curvature over its length. Springs that push need a membrane that resists their push:
+// with a membrane compliance of 10⁻⁷ m/N, strips of 24 cells have 0.70 to 0.84 of the stated B at small
+// deflections (1.6 on one diagonal), and 0.92 to 1.31 at large deflections. Arcs of length L push only when
+// they are shortened. Below a curvature of about 20 √(B / Y) / L² a membrane of stiffness Y stretches
+// instead, and arcs have no linear stiffness.
 #pragma once
 
 #include <array>
@@ -37,7 +38,7 @@
 
 namespace bendlab {
 
-/// At which deflections the stated B holds, for models made of hinges.
+/// At which deflections the sheet has the stated B, for models made of hinges.
 enum class Deflection {
   large,  ///< bent to a cylinder, as a stiff membrane makes the sheet bend
   small,  ///< bent so little that the membrane does not matter: all hinges stiffer by one factor
@@ -53,14 +54,14 @@ struct CalibrationTarget {
 };
 
 /// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts
-/// about the factor on the model's own stiffnesses, the evenness of the energy, and the resistance of the
-/// membrane itself. For hinges in a flat rest shape, facts also say which share of B the sheet has at small
-/// and at large deflections.
+/// (metrics of the model) about the factor on the model's own stiffnesses, the evenness of the energy, and
+/// the bending resistance of the membrane itself. For hinges in a flat rest shape, facts also say which share
+/// of B the sheet has at small and at large deflections.
 ///
-/// Throws std::invalid_argument if the target is not of the kind that the constraints need, and for springs
-/// if the rest shape is not flat or the springs are not at rest in it. A target with another deflection than
-/// `large` needs hinges, a flat rest shape and enough vertices inside the sheet; otherwise calibrate()
-/// throws, too.
+/// Throws std::invalid_argument if the target does not fit the kind of constraints. For springs, also throws
+/// if the rest shape is not flat, or if a spring is not at rest in the rest shape. A target with the
+/// deflection `small` or `both` needs hinges, a flat rest shape and enough vertices inside the sheet;
+/// otherwise calibrate() throws, too.
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target);
 

@@ -33,7 +33,7 @@ struct Levels {
 /// a denser zone at pins, n = m.
 Levels adaptive_levels(const BendingInput& input, const LevelSettings& settings);
 
-/// The same from the diagonal of the rest box and the mean edge length, both in m.
+/// The levels from the diagonal of the rest box, `size`, and the mean edge length, `mean_edge`, in m.
 Levels adaptive_levels(double size, double mean_edge, const LevelSettings& settings);
 
 /// #V: `pinned_level` where the vertex counts as pinned, `free_level` elsewhere.
@@ -52,8 +52,8 @@ inline constexpr std::array level_fields = {
     field<&Settings::m_min, Settings>(
         {.name = "m_min",
          .unit = "1",
-         .meaning = "lower bound on m (1 in eq. 6; the paper's own bound was lost in the scan). With m = 1 "
-                    "free vertices have no springs beyond the mesh's edges",
+         .meaning = "lower bound on m (1 in eq. 6; the bound in the paper is not legible in the scan). With "
+                    "m = 1 free vertices have no springs beyond the mesh's edges",
          .minimum = 1,
          .maximum = 1000}),
     field<&Settings::n_multiplier, Settings>(
@@ -64,8 +64,8 @@ inline constexpr std::array level_fields = {
          .maximum = 100}),
     field<&Settings::pinned_ring_is_pinned, Settings>(
         {.name = "pinned_ring_is_pinned",
-         .meaning = "whether vertices that are pinned because they lie in a pin's rings get the level n, "
-                    "too; false: only the pin itself"}),
+         .meaning = "whether vertices that are pinned because they lie in a pin's rings also have the level "
+                    "n; false: only the pin itself has it"}),
     field<&Settings::radius, Settings>({.name = "radius",
                                         .unit = "m",
                                         .meaning = "physical length of the springs: m is radius / mean edge, "

@@ -40,7 +40,7 @@ std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingC
   return fmt::format(
       "the constraints of '{}' are {:.3g} to {:.3g} times as soft as the scene's compliance, but k would "
       "correct all of them by the same share: state \"compliance\" or a flexural_rigidity instead of k. If "
-      "the model shall ignore softness with k, set .softness_needs_compliance = true in the model",
+      "the model should ignore softness with k, set .softness_needs_compliance = true in the model",
       model.name, least, most);
 }
 

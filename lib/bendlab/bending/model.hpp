@@ -1,6 +1,6 @@
 // The interface of a bending model: a pure function from the rest mesh to constraints, called once per scene.
-// A new model is a struct in models.hpp, one file in models/, one test and one config. A program that uses
-// this library may register models of its own.
+// A new model needs a struct in models.hpp, one file in models/, one test and one config. A program that uses
+// this library may register further models.
 #pragma once
 
 #include <optional>
@@ -47,7 +47,7 @@ struct BendingKind;
 /// A bending model with its settings: `BendingModel model = Adaptive{.rings = RingFill::last};`
 using BendingModel = Chosen<BendingKind>;
 
-/// A kind of bending model: its texts, its traits and its functions, which take the model's settings.
+/// A kind of bending model: texts, properties, and functions, which take the model's settings.
 struct BendingKind {
   std::string_view name;
   std::string_view label;       ///< the name in figures
@@ -60,22 +60,21 @@ struct BendingKind {
   bool springs_only = false;  ///< build() makes no elements, whatever the settings
   bool one_sided = false;     ///< its elements only push, so their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
-  /// Whether the model may be used with k although k ignores softness (k removes the same share of every
-  /// constraint). If false, the model is refused with k as soon as a softness is not 1.
+  /// Whether the model may be used with k although k ignores softness (k corrects every constraint by the
+  /// same share). If false, the model cannot be used with k if any softness differs from 1.
   bool softness_needs_compliance = false;
-  /// Mean strain of a sound sheet that the model's springs cause with this k; null: no strain. Then a
-  /// sentence about the remedy that helped in tests.
+  /// Mean strain that the model's springs cause with this k in a sheet that is otherwise unstretched; null:
+  /// no strain. `strain_of_k_remedy` is a sentence about the remedy that helped in tests.
   double (*strain_of_k)(const void* settings, double k) = nullptr;
   std::string_view strain_of_k_remedy = {};
-  /// Whether this model, calibrated to a stated rigidity, is the reference that other models are judged by.
+  /// Whether this model, calibrated to a stated rigidity, is the reference for all other models.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;
-  /// For a model that a program adds: identifies the version of the model's code in run ids. Empty: the
-  /// program's file identifies it.
+  /// For a model that a program adds: identifies the version of the model's code in run ids. If empty, the
+  /// hash of the program's file is used instead.
   std::string_view code = {};
 };
 
-/// The constraints of `model` on the mesh of `input`.
 inline BendingConstraints constraints_of(const BendingModel& model, const BendingInput& input) {
   return model.kind().build(model.settings(), input);
 }
@@ -84,14 +83,14 @@ inline BendingConstraints constraints_of(const BendingModel& model, const Bendin
 /// program added.
 std::span<const BendingKind* const> bending_models();
 
-/// The model of that name, or nullptr.
+/// The model with the name `name`, or nullptr.
 const BendingKind* find_bending_model(std::string_view name);
 
 /// An error text if the model cannot be used with k, because k would ignore a softness and the model does not
 /// set softness_needs_compliance. Nothing if the model can be used with k.
 std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingConstraints& constraints);
 
-/// Whether the model's elements are hinges. Then its rigidity is known for rest shapes of any form.
+/// Whether the model's elements are hinges. The rigidity of hinges is known for rest shapes of any form.
 inline bool is_made_of_hinges(const BendingKind& model) {
   return model.bends && !model.springs_only && !model.one_sided;
 }
@@ -106,11 +105,11 @@ inline std::string_view made_of(const BendingKind& model) {
 /// Names of the registered models that are made of hinges.
 std::vector<std::string_view> models_of_hinges();
 
-/// Adds a model of the program. The model is kept by reference, so it must stay where it is (see
-/// Registry::add()). Throws std::invalid_argument if the model's name is taken or it has no build().
+/// Adds a model of the program. The address of the model must stay valid (see Registry::add()). Throws
+/// std::invalid_argument if the model's name is already in use, or if the model has no build().
 void register_bending_model(const BendingKind& model);
 void register_bending_model(const BendingKind&&) = delete;
-/// Removes a model that the program added. Scenes that use the model keep it.
+/// Removes a model that the program added. Scenes that already use the model can still use it.
 void remove_bending_model(std::string_view name);
 
 /// The models that the program added.

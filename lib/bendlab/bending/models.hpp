@@ -1,5 +1,5 @@
 // Every bending model as a struct of its settings with their defaults. The file models/<name>.cpp of a model
-// says what the settings mean and builds the constraints. A new model is a struct and its name in the list
+// says what the settings mean and builds the constraints. A new model needs a struct, its name in the list
 // below, one file, one test and one config.
 #pragma once
 

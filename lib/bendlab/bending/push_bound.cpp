@@ -10,10 +10,11 @@
 namespace bendlab {
 namespace {
 
-// Stiffness of a membrane that is projected once per substep, in m / h². Measured on sheets of 16 cells with
-// B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps and an excess of 0.1 and 1: growth over T h² / m is 0.8 to 0.9
-// on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to 1.2 on alternating diagonals, 0.6 with both
-// diagonals; one substep of 10 iterations holds up to 1.4 times as much as 10 substeps of one iteration.
+// Stiffness of a membrane that is projected once per substep, in units of m / h² (m: mass of a vertex, h:
+// substep). Measured on sheets of 16 cells with B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps and an excess of
+// 0.1 and 1: the growth divided by T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the equilateral
+// lattice, 1.1 to 1.2 on alternating diagonals, and 0.6 with both diagonals. One substep of 10 iterations
+// resists up to 1.4 times the push of 10 substeps of one iteration.
 constexpr double membrane_of_one_projection = 1;
 
 constexpr double at_rest = 1e-6;  // relative to a spring's length, as in calibration.cpp
@@ -40,9 +41,9 @@ std::optional<std::string> push_on_membrane_warning(double tension, double compl
   if (!(tension * compliance > tolerated_growth)) return std::nullopt;
   return fmt::format(
       "the springs push with {:.3g} N/m, and the stated membrane (stiffness {:.3g} N/m) gives way: the sheet "
-      "grows by up to {:.0f} %, or by the springs' excess if the excess is less. A membrane compliance of "
-      "{:.2g} m/N limits the growth to {:.0f} %. Longer springs (/bending/prestressed/radius) help too, "
-      "because the push falls as the square of their length",
+      "grows by up to {:.0f} %, but not by more than the springs' excess. A membrane compliance of {:.2g} "
+      "m/N limits the growth to {:.0f} %. Longer springs (/bending/prestressed/radius) help too, because the "
+      "push falls as the square of their length",
       tension, 1 / compliance, 100 * tension * compliance, 0.9 * tolerated_growth / tension,
       100 * tolerated_growth);
 }
@@ -66,7 +67,7 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
                  (membrane_of_one_projection * projections * total_mass / static_cast<double>(mass.size()));
   bound.taken = bound.stated, bound.expected = bounded(bound.stated, bound.growth);
   if (bound.expected <= tolerated_growth) return bound;
-  // Excess and growth are both above tolerated_growth here, or `expected` would be below it.
+  // `expected` is smaller than the excess and the growth, so these are larger than tolerated_growth here.
   bound.taken = 1 / (1 / tolerated_growth - 1 / bound.growth);
   const double smaller = bound.taken / bound.stated;
   springs.store_rest_lengths();
@@ -82,20 +83,20 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
 std::vector<BendingFact> facts_of(const PushBound& bound) {
   return {{"push_tension", bound.tension, "tension with which the springs stretch the flat sheet", "N/m"},
           {"push_growth", bound.expected,
-           "estimated relative growth of the sheet with the stated excess, because the solver cannot hold "
-           "the push"},
+           "estimated relative growth of the sheet with the stated excess, because the solver does not "
+           "balance the push"},
           {"excess_taken", bound.taken,
-           "excess that the springs have; lower than the stated excess if the stated one would make the "
-           "sheet grow too much"}};
+           "excess that the springs have; lower than the stated excess if the sheet would grow too much with "
+           "the stated excess"}};
 }
 
 std::optional<std::string> push_warning(const PushBound& bound) {
   if (bound.taken == bound.stated) return std::nullopt;
   return fmt::format(
-      "the springs push with {:.3g} N/m, which the stated substeps and iterations cannot hold: with the "
+      "the springs push with {:.3g} N/m, which the stated substeps and iterations cannot balance: with the "
       "stated excess of {:.3g} the sheet would grow by about {:.0f} %. The excess is lowered to {:.3g}: the "
       "sheet then grows by about {:.0f} %, and the moment is linear up to a curvature of {:.3g}/m instead of "
-      "{:.3g}/m. With {} times as many substeps the solver holds the stated excess",
+      "{:.3g}/m. With {} times as many substeps the solver can use the stated excess",
       bound.tension, bound.stated, 100 * bound.expected, bound.taken, 100 * tolerated_growth,
       std::sqrt(48 * bound.taken) / bound.length, std::sqrt(48 * bound.stated) / bound.length,
       bound.substeps_factor);

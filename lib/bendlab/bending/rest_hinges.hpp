@@ -20,7 +20,7 @@ struct RestHinge {
 /// hinge on a degenerate triangle (see bad_triangles.hpp) has no angle and is left out.
 std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins);
 
-/// Angle constraints on the hinges. `softness(hinge)` is the softness of ElementList.
+/// Angle constraints on the hinges. `softness(hinge)` gives the values of ElementList::softness.
 ElementList<HingeAngle> angle_constraints(const std::vector<RestHinge>& hinges, HingeAngle::Law law,
                                           const std::function<double(const RestHinge&)>& softness);
 

@@ -26,7 +26,7 @@ double edge_length(const RestMesh& rest, int a, int b) {
   return (rest.position(a) - rest.position(b)).norm();
 }
 
-// Path lengths from the centre of the last walk: the shortest of the paths with the fewest edges.
+// Lengths of paths from the last centre to other vertices: the shortest of the paths with the fewest edges.
 class PathLengths {
  public:
   explicit PathLengths(const RestMesh& rest)
@@ -60,8 +60,8 @@ class PathLengths {
   std::vector<int> visited_;
 };
 
-// The number of edges that span `level` mean edge lengths if all are as short as the shortest edge of the
-// mesh.
+// The largest possible number of edges on a path of `level` mean edge lengths: each edge is at least as long
+// as the shortest edge of the mesh.
 int hops_within(const RestMesh& rest, int level) {
   double shortest = std::numeric_limits<double>::infinity();
   for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)

@@ -28,8 +28,8 @@ std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
   return depth;
 }
 
-// The vertices where the sheet ends or is not free: ends of edges that do not have two triangles, pins,
-// corners of triangles without area, and vertices without neighbours.
+// The vertices where the sheet ends or is not free: ends of edges that have one or more than two triangles,
+// pins, corners of triangles without area, and vertices without neighbours.
 std::vector<int> ends(const RestMesh& rest, const Pins& pins) {
   std::vector<char> end(pins.is_pinned);
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
@@ -125,8 +125,8 @@ SheetResponse::SheetResponse(const RestMesh& rest, const Pins& pins, std::span<c
     for (int c = 0; c < 3; ++c)
       area_[static_cast<std::size_t>(rest.triangles()(t, c))] +=
           rest.areas()[static_cast<std::size_t>(t)] / 3;
-  // The weight falls to 0 before the held vertices, so that nearly whole cells of a repeating pattern count,
-  // wherever the rim cuts the pattern.
+  // The weight falls to 0 near the held vertices. So the result hardly depends on where the rim cuts the
+  // cells of a repeating pattern.
   for (const int depth : depth_) {
     const double inside = depth < std::numeric_limits<int>::max() ? std::max(0, depth - held_depth - 1) : 0;
     window_.push_back(inside * inside);

@@ -27,8 +27,8 @@ double mean(const ByDirection& values) {
 }
 
 void StiffnessFit::add(double& softness, const ByDirection& energy, const Shares& shares) {
-  // An energy that is zero except for rounding must not count. Where a clamp leaves a vertex no other
-  // resistance in a direction, the fit would otherwise scale that rounding up to the wanted energy.
+  // An energy that is zero except for rounding must not count. Near a clamp, a vertex may have no other
+  // energy in a direction, and the fit would then scale the rounding error up to the wanted energy.
   constexpr double rounding = 1e-12;  // of the largest energy; angles round by 1e-16, their squares by 1e-32
   const double least = rounding * *std::ranges::max_element(energy);
   softness_.push_back(&softness);
@@ -58,13 +58,13 @@ void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   for (double& factor : factor_) factor *= sum > 0 ? target / sum : 1;
 }
 
-// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: the energy that a
-// constraint gives to a vertex in a direction is multiplied by the ratio of wanted to present energy of that
-// vertex in that direction. The sum of these products is the constraint's new energy. The iteration keeps f
-// positive. Among the many solutions it stays near the model's own proportions.
+// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0. For each direction,
+// the energy that a constraint gives to a vertex is multiplied by the ratio of the wanted energy to the
+// present energy of the vertex. The sum of these products is the constraint's new energy. The iteration keeps
+// f positive. Of the many solutions, the iteration finds one near the model's own proportions.
 void StiffnessFit::improve(const std::vector<double>& wanted) {
-  // Saves rounds, because slow errors fall faster. An error that one plain step would remove is halved
-  // instead.
+  // A power above 1 saves rounds, because errors that fall slowly then fall faster. An error that one step
+  // with the power 1 would remove is halved instead.
   constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
   for (std::size_t v = 0; v < vertices_; ++v)
@@ -104,15 +104,13 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
   const auto [least, most] = std::minmax_element(total.begin(), total.end());
   const double reached = area - unreached;
   return {{name + "_factor", own > 0 ? calibrated / own : 0,
-           "mean factor by which the fit multiplies the model's own stiffnesses, those at a compliance of 1"},
+           "mean factor of the fit on the model's own stiffnesses (at a compliance of 1)"},
           {name + "_rms", reached > 0 ? std::sqrt(squares / reached) : 0,
-           "RMS over the free vertices of the relative error of their bending energy, which is averaged over "
-           "directions"},
+           "relative error of a vertex's bending energy, averaged over directions: RMS over free vertices"},
           {name + "_worst", worst,
-           "largest relative error of a free vertex's bending energy, which is averaged over directions"},
+           "relative error of a vertex's bending energy, averaged over directions: largest value"},
           {name + "_anisotropy", mean(total) > 0 ? (*most - *least) / mean(total) : 0,
-           "bending energy of all free vertices: the largest value over directions minus the smallest, "
-           "divided by the mean"},
+           "(largest - smallest) / mean over directions of the bending energy of all free vertices"},
           {name + "_unreached", area > 0 ? unreached / area : 0,
            "share of the free vertices' area where no constraint resists bending"}};
 }

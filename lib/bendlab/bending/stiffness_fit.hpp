@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// Number of sampled bending directions. It is enough for the energy of any constraint here, because the
-/// energy's harmonics in the direction's angle are 0, 2, … 8.
+/// Number of sampled bending directions. Nine directions are enough, because the energy of a constraint, as a
+/// function of the direction's angle, has only the harmonics 0, 2, … 8.
 inline constexpr std::size_t bending_directions = 9;
 using ByDirection = std::array<double, bending_directions>;
 
@@ -36,13 +36,13 @@ struct Share {
 using Shares = std::vector<Share>;
 
 /// The constraints that are fitted to one target. Each constraint has its energy at κ = 1 in every direction,
-/// and its shares of vertices.
+/// and the shares of the vertices in this energy.
 class StiffnessFit {
  public:
   explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
 
-  /// `energy` is the constraint's energy at its current softness. The reference to the softness is kept until
-  /// meet().
+  /// `energy` is the constraint's energy at its current softness. The reference `softness` must stay valid
+  /// until meet().
   void add(double& softness, const ByDirection& energy, const Shares& shares);
 
   /// Adds a constraint without bending energy (a spring along an edge). meet() gives it the median softness
@@ -52,9 +52,9 @@ class StiffnessFit {
   bool empty() const { return softness_.empty() && without_energy_.empty(); }
   std::size_t size() const { return softness_.size(); }  ///< constraints with bending energy
 
-  /// Sets every softness. `wanted` (#V): energy of each vertex at κ = 1; 0: any energy will do. `usual`: the
-  /// stiffness of constraints without bending energy if no constraint has any. Returns facts, named `name`_…,
-  /// about the quality of the fit.
+  /// Sets every softness. `wanted` (#V): wanted energy of each vertex at κ = 1; 0: any energy is accepted.
+  /// `usual`: the stiffness of constraints without bending energy if no constraint has bending energy.
+  /// Returns facts, named `name`_…, about the quality of the fit.
   std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name) {
     fit(wanted);
     return finish(wanted, usual, name);
@@ -65,7 +65,7 @@ class StiffnessFit {
   void fit(const std::vector<double>& wanted);
   std::vector<BendingFact> finish(const std::vector<double>& wanted, double usual, const std::string& name);
   std::span<double> factors() { return factor_; }
-  /// Improves the current factors by this number of further rounds.
+  /// Improves the current factors by `rounds` further rounds.
   void refit(const std::vector<double>& wanted, int rounds);
 
  private:

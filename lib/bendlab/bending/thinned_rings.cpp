@@ -16,8 +16,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Directions in the tangent plane of a vertex, as angles from an axis that is arbitrary but fixed for each
-// vertex.
+// Directions in the tangent plane of a vertex, as angles from an arbitrary axis, which each vertex has.
 class TangentPlanes {
  public:
   explicit TangentPlanes(const RestMesh& rest)
@@ -35,7 +34,7 @@ class TangentPlanes {
       }
     }
     for (auto normal : normal_.rowwise())
-      if (normal.isZero(0)) normal = Vector3::UnitZ();  // its triangles have no area: any plane will do
+      if (normal.isZero(0)) normal = Vector3::UnitZ();  // its triangles have no area: take any plane
   }
 
   double angle(int from, int to) const {
@@ -50,15 +49,15 @@ class TangentPlanes {
   Positions normal_;
 };
 
-// Where a vertex's directions begin, as a share of a full turn in [0, 1). The values are spread evenly over
-// the vertices, so that no direction is missing at all vertices of a lattice. They are the same on every
-// machine (SplitMix64).
+// The angle of a vertex's first direction, as a share of a full turn in [0, 1). The angles are spread evenly
+// over the vertices, so that a lattice has springs in all directions. SplitMix64 gives every machine the same
+// angles.
 double phase(int vertex) {
   return unit_interval(split_mix(static_cast<std::uint64_t>(vertex), 0));
 }
 
 // A spring's stiffness is ∝ cos⁸ φ = (35 + 56 cos 2φ + 28 cos 4φ + 8 cos 6φ + cos 8φ) / 128, where φ is the
-// angle between the spring and the direction of bending. These are 128 times the three terms in the middle.
+// angle between the spring and the direction of bending. The harmonics are 128 times the middle three terms.
 using Harmonics = Eigen::Matrix<double, 6, 1>;
 Harmonics harmonics(double angle) {
   Harmonics h;
@@ -79,7 +78,7 @@ class Thinned {
     springs = springs_at_rest_in(rest_.positions());
   }
 
-  // `per_vertex` springs from the vertex into the ring.
+  // Adds `per_vertex` springs from the vertex to vertices of the ring.
   void add(int vertex, std::span<const int> ring, double radius) {
     std::vector<Candidate> candidates;
     for (const int other : ring)
@@ -103,9 +102,9 @@ class Thinned {
     double angle;
   };
 
-  // A ring has only a few directions, and on a lattice they are the same everywhere. So choose() takes the
-  // candidate near the aim that best makes up for the errors of earlier choices. If the sheet ends on this
-  // side, it takes a candidate on the opposite side.
+  // A ring has only a few directions, and all rings of a lattice have the same directions. So choose() takes
+  // the candidate near the angle `aim` that best compensates the errors of earlier choices. If the sheet has
+  // no vertex near this angle, choose() takes a candidate on the opposite side.
   std::vector<Candidate>::iterator choose(std::vector<Candidate>& candidates, double aim,
                                           double reach) const {
     const Harmonics wanted = owed_ + harmonics(aim);
@@ -161,7 +160,7 @@ BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const Bend
   constraints.facts = facts_of(levels);
   constraints.facts.push_back(
       {"t", static_cast<double>(t),
-       "LOD level of every vertex; 0: m for free vertices and n for pinned vertices"});
+       "LOD level of every vertex; 0 gives free vertices the level m, and pinned vertices the level n"});
   return constraints;
 }
 

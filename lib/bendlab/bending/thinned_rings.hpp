@@ -1,5 +1,5 @@
-// A few springs per vertex into the ring t edges away, evenly spread over the directions, for the models
-// sparse_lod and prestressed.
+// A few springs from each vertex to vertices that are t edges away, in evenly spread directions. The models
+// sparse_lod and prestressed use these springs.
 #pragma once
 
 #include "bendlab/bending/levels.hpp"
@@ -15,12 +15,12 @@ struct ThinnedRingSettings : LevelSettings {
 template <class Settings>
 inline constexpr auto thinned_ring_fields = joined(
     std::array{
-        field<&Settings::t, Settings>(
-            {.name = "t",
-             .unit = "1",
-             .meaning = "LOD level of every vertex; 0: m for free vertices and n for pinned vertices",
-             .minimum = 0,
-             .maximum = 1000}),
+        field<&Settings::t, Settings>({.name = "t",
+                                       .unit = "1",
+                                       .meaning = "LOD level of every vertex; 0 gives free vertices the "
+                                                  "level m, and pinned vertices the level n",
+                                       .minimum = 0,
+                                       .maximum = 1000}),
         field<&Settings::t_min, Settings>({.name = "t_min",
                                            .unit = "1",
                                            .meaning = "lower bound on the LOD level, because springs along "
@@ -30,16 +30,16 @@ inline constexpr auto thinned_ring_fields = joined(
         field<&Settings::springs, Settings>(
             {.name = "springs",
              .unit = "1",
-             .meaning = "springs that start at each vertex, whatever its level; with the springs that end "
-                        "there, a vertex has twice as many on average",
+             .meaning = "number of springs that start at each vertex, at any LOD level; on average the same "
+                        "number of springs ends at a vertex",
              .minimum = 1,
              .maximum = 64})},
     level_fields<Settings>);
 
-/// Springs at rest, ordered by vertex, and the levels as facts. The axes of a vertex's springs divide a half
-/// turn evenly, because a spring resists bending along its axis, whichever way it points; every other spring
-/// points the opposite way. The softness is (length / (t mean edges))^power, so that springs whose energy is
-/// ∝ length^power / softness all have the same energy.
+/// Springs at rest, ordered by vertex; `facts` of the result states the levels. The axes of a vertex's
+/// springs divide a half turn evenly, because a spring resists bending along its axis in both directions.
+/// Every second spring points the opposite way. The softness is (length / (t mean edges))^power, so that
+/// springs whose energy is ∝ length^power / softness all have the same energy.
 BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power);
 
 }  // namespace bendlab

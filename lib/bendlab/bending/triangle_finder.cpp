@@ -40,8 +40,8 @@ std::size_t TriangleFinder::index(int x, int y) const {
 
 std::optional<TriangleFinder::Place> TriangleFinder::operator()(const Vector2& point) const {
   const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
-  // How far outside a triangle a point may lie, relative to the triangle's height. A notch of an equilateral
-  // lattice is half a height deep.
+  // How far outside a triangle a point may lie, relative to the triangle's height. The outline of a lattice
+  // of equilateral triangles has notches half a height deep.
   constexpr double outside = 0.6;
   std::optional<Place> nearest;
   double deepest = -outside;

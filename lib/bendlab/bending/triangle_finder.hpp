@@ -12,8 +12,8 @@ namespace bendlab {
 
 class TriangleFinder {
  public:
-  /// `plane` is #V by 2. Both arrays are kept by reference. `cell`: the width of a grid cell, about an edge's
-  /// length, in the unit of `plane`.
+  /// `plane` is #V by 2. The finder keeps references to `triangles` and `plane`. `cell` is the width of a
+  /// grid cell, about an edge's length, in the unit of `plane`.
   TriangleFinder(const Triangles& triangles, std::span<const Vector2> plane, double cell);
 
   struct Place {
@@ -21,8 +21,8 @@ class TriangleFinder {
     std::array<int, 3> corner;
     std::array<double, 3> weight;  ///< barycentric coordinates
   };
-  /// Where the point lies. A point just outside (in a notch of the outline) gets the nearest point of the
-  /// sheet. Nothing for a point farther out.
+  /// Where the point lies. For a point just outside the sheet (in a notch of its outline) the result is the
+  /// nearest point of the sheet; for a point farther outside the result is empty.
   std::optional<Place> operator()(const Vector2& point) const;
 
  private:

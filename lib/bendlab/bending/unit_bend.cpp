@@ -21,7 +21,7 @@ namespace {
 using Gradients = Eigen::Matrix<double, 2, 3>;  // of a triangle's three hat functions, 1/m
 using Forms = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 
-// z over κ: ½ x² c² + x y c s + ½ y² s².
+// The height z of the bent sheet, divided by κ: ½ x² c² + x y c s + ½ y² s².
 QuadraticForm height(const Vector2& q) {
   return {0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y()};
 }
@@ -34,8 +34,8 @@ QuarticForm product(const QuadraticForm& a, const QuadraticForm& b) {
 }
 
 // The unit normal of a flat sheet, on the side that most of its area faces. Triangles that face the other
-// side count with the opposite normal, because otherwise a sheet with half of its triangles turned over would
-// have no normal.
+// side are added with the opposite normal; otherwise the sum would be 0 for a sheet with half of its
+// triangles turned over.
 Vector3 normal_of(const RestMesh& rest) {
   const auto twice_area = [&](int t) -> Vector3 {
     const auto corner = rest.triangles().row(t);
@@ -69,8 +69,8 @@ Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   return g;
 }
 
-// The strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: the strain from the displacements
-// of its corners, and the strain from its slopes.
+// The strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: one part from the displacements
+// of the triangle's corners, and one part from the triangle's slopes.
 struct TriangleBend {
   std::array<int, 3> corner;
   double area;
@@ -103,8 +103,8 @@ TriangleBend triangle_bend(const std::array<int, 3>& corner, const std::vector<V
   return bend;
 }
 
-// The unknowns to hold so that no connected part of the sheet can move as a whole: both unknowns of one
-// vertex, and one unknown of another vertex to stop the rotation.
+// The unknowns to fix so that no connected part of the sheet can move as a rigid body: in each part both
+// unknowns of one vertex, and one unknown of a second vertex, which prevents the rotation.
 std::vector<int> held_unknowns(const RestMesh& rest, const std::vector<Vector2>& plane) {
   std::vector<int> held;
   for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
@@ -139,7 +139,8 @@ Forms least_strain(const RestMesh& rest, const std::vector<Vector2>& plane,
       for (int j = 0; j < 6; ++j) entries.emplace_back(unknown(bend, i), unknown(bend, j), stiffness(i, j));
     }
   }
-  // Springs hold these unknowns. The springs stay unstrained, because a rigid motion costs no energy.
+  // Stiff springs fix these unknowns. The springs remain unstrained: a rigid motion of a part costs no
+  // energy.
   for (const int held : held_unknowns(rest, plane)) entries.emplace_back(held, held, stiffest);
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -172,7 +173,7 @@ std::vector<Vector2> plane_coordinates(const RestMesh& rest) {
 std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q) {
   const Vector2 edge = q[1] - q[0];
   const double length = edge.norm();
-  std::array<double, 4> weight{};  // of the vertices' heights in the sum of both slopes towards the edge
+  std::array<double, 4> weight{};  // of each height, in the sum of both triangles' slopes
   for (const std::size_t opposite : {2u, 3u}) {
     const Vector2 offset = q[opposite] - q[0];
     const double along = offset.dot(edge) / (length * length);
@@ -204,10 +205,10 @@ std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p) {
 
 UnitBend::UnitBend(const RestMesh& rest) : plane_(plane_coordinates(rest)) {
   if (plane_.empty())
-    throw std::invalid_argument(fmt::format(
-        "the physical stiffness of springs is known for a flat rest shape only, and this mesh is not flat: "
-        "choose a model made of hinges ({}), or state the stiffness by k or compliance",
-        fmt::join(models_of_hinges(), ", ")));
+    throw std::invalid_argument(
+        fmt::format("the physical stiffness of springs is known for a flat rest shape only, and this mesh is "
+                    "not flat: choose a model made of hinges ({}), or state the stiffness by k or compliance",
+                    fmt::join(models_of_hinges(), ", ")));
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
   std::vector<TriangleBend> bends;
   for (int t = 0; t < rest.triangle_count(); ++t) {
@@ -257,7 +258,7 @@ Vector2 UnitBend::displacement(int vertex, const Vector2& direction) const {
 }
 
 double mean_square(const QuarticForm& form) {
-  // Means of c^(8-k) s^k over the circle: (7-k)!! (k-1)!! / 8!! for even k, else 0.
+  // Means of c^(8-k) s^k over the circle: (7-k)!! (k-1)!! / 8!! for even k, and 0 for odd k.
   constexpr std::array<double, 5> even = {35.0 / 128, 5.0 / 128, 3.0 / 128, 5.0 / 128, 35.0 / 128};
   double sum = 0;
   for (std::size_t i = 0; i < 5; ++i)

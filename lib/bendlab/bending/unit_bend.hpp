@@ -1,7 +1,7 @@
-// A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices
-// come, and by which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth
-// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) times as much as the
-// chord of a smooth arc.
+// A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much the distances of vertices
+// decrease, and by which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth
+// cylinder. The edges keep their lengths. So if two vertices are t edges apart, their distance decreases (1 -
+// 1/t²) times as much as the chord of a smooth arc.
 #pragma once
 
 #include <array>
@@ -23,18 +23,20 @@ double value_in(const std::array<double, N>& form, const Vector2& direction) {
 using QuadraticForm = std::array<double, 3>;
 using QuarticForm = std::array<double, 5>;
 
-/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of most of its triangles. They
-/// are x and y if the sheet lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
+/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of most triangles. If the
+/// sheet lies in z = 0, the coordinates are x and y. Empty if the rest shape is not flat (to 10⁻⁶ of its
+/// size).
 std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 
-/// Fold angle over κ, in m, at the edge q0 q1 between the triangles with q2 and q3: z = ½ κ (q·d)² at the
-/// four vertices, and each triangle is flat.
+/// Fold angle divided by κ, in m, at the edge q0 q1 between the triangles with q2 and q3, if z = ½ κ (q·d)²
+/// at the four vertices and each triangle is flat.
 QuadraticForm fold(const std::array<Vector2, 4>& q);
 
-/// Weights in 1/m: for any small heights z of the four vertices the same angle is Σ weight z.
+/// Weights in 1/m: for any small heights z of the four vertices the fold angle is Σ weight z.
 std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q);
 
-/// A hinge unfolded into a plane: p0, p1 of its edge, then the vertices opposite it.
+/// A hinge unfolded into a plane: p0 and p1 are the ends of the edge, p2 and p3 the vertices opposite the
+/// edge.
 std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p);
 
 /// The bent sheet: z = ½ κ (p·d)² at the vertices, linear on every triangle, and the displacements κ² w in
@@ -46,14 +48,14 @@ class UnitBend {
 
   std::span<const Vector2> plane() const { return plane_; }  ///< #V, plane_coordinates()
 
-  /// Decrease of the distance between a and b, over κ², in m³.
+  /// The decrease of the distance between a and b, divided by κ², in m³.
   QuarticForm shortening(int a, int b) const;
 
-  /// w in the direction d, over κ², in m³.
+  /// w of a vertex, in m³, if the sheet bends in the direction d.
   Vector2 displacement(int vertex, const Vector2& direction) const;
 
-  /// C in m⁴ of the membrane itself, because some meshes cannot bend without strain: a membrane of stiffness
-  /// 1 N/m (energy ½ |ε|² per area) then has the energy ¼ C κ⁴ per area, averaged over all directions.
+  /// Some meshes cannot bend without strain of the membrane. A membrane of stiffness 1 N/m (energy ½ |ε|² per
+  /// area) then has the energy ¼ C κ⁴ per area, averaged over all directions of bending. Returns C in m⁴.
   double membrane_quartic() const { return membrane_quartic_; }
 
  private:

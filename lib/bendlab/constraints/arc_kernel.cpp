@@ -1,4 +1,4 @@
-// What lies in a lane: one segment of ArcSpring (arc_spring.hpp).
+// A lane (an entry of a vector register) holds one segment of ArcSpring (arc_spring.hpp).
 //
 //     .-'''-.         p[0], p[1]   vertices a and b: packs of x, y, z and of w = 1/m
 //    /       \        rest[0]      L, m
@@ -40,18 +40,18 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return dot(d, d) > shortest * shortest ? P{} : -rest[0];
   }
 
-  // A segment at ρ = r/L: its push p = P L²/k_b, and the slope dp/dρ.
+  // The push p = P L²/k_b of a segment at ρ = r/L, and the slope dp/dρ.
   struct Bent {
     P ratio, push, slope;
   };
 
-  // ArcSpring::change() for all lanes. In units of L and k_b/L² the new ρ solves
+  // ArcSpring::change() for all lanes. In units of L (lengths) and k_b/L² (pushes), the new ρ solves
   //
   //     load - yielding (1 - ρ) = p(ρ)
   //
   // `load` is the push that would hold the segment straight, and `yielding` is the decrease of that push if
-  // the segment shortens by L. Lanes that do not buckle compute a solution for another load, which has one,
-  // and drop it.
+  // the segment shortens by L. For a segment that does not buckle the equation may have no solution. The lane
+  // of such a segment uses twice the largest load of a straight segment, and its result is not used.
   BENDLAB_INLINE static P change(const P& value, const Rest& rest, const P& w, const P& alpha,
                                  const P& multiplier) {
     const P length = rest[0], per_both = 1 / (length * w), per_w = length * per_both;
@@ -70,8 +70,7 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
       bent = arc(load, yielding);
     else
       bent = quartic(load, yielding);
-    // The last step is taken in ρ, because it is then exact to rounding whether the push changes the length
-    // much or little.
+    // The last step of Newton's method solves for ρ: it is exact to rounding for every `yielding`.
     const P held = to_push * multiplier;
     const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
     const P buckled = buckles ? step * length * per_w : -value * per_w;
@@ -79,8 +78,8 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
   }
 
  private:
-  // The polynomial law or its derivative, by ascending powers. Computed element by element, because GCC 12
-  // computes wrong numbers from a list of casts under -frounding-math.
+  // The coefficients of the polynomial law or of its derivative, by ascending powers. A loop computes the
+  // coefficients, because GCC 12 computes wrong numbers from a list of casts under -frounding-math.
   template <bool derivative>
   static constexpr auto series = [] {
     std::array<Real, ArcSpring::polynomial.size() - derivative> coefficients{};
@@ -94,8 +93,7 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return {ratio, detail::polynomial(series<false>, ratio), detail::polynomial(series<true>, ratio)};
   }
 
-  // The fraction of an interval at which a hyperbola is 0. The hyperbola has the values at both ends of the
-  // interval and the slope at the first end.
+  // The zero of the hyperbola with the values `at_0` at 0 and `at_1` at 1, and the slope `slope_at_0` at 0.
   BENDLAB_INLINE static P first_guess(const P& at_0, const P& slope_at_0, const P& at_1) {
     return at_0 / (at_0 + slope_at_0 * (at_1 / (at_0 - at_1)));
   }
@@ -105,10 +103,10 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return low < highest ? low : broadcast(highest);
   }
 
-  // With z = y²: ρ = 3e - z f and p = 4/e, where e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2.
-  // Multiplied by e, the equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0. G falls and is convex up
-  // to its root, so Newton's method does not diverge. After these steps the error of z is 10⁻³ (float) and
-  // 10⁻⁷ (double); the last step in change() squares it.
+  // With z = y²: ρ = 3e - z f and p = 4/e, where e = j1(y)/y and f = j2(y)/y². The derivatives by z are -f/2
+  // for e and -e/2 for ρ. Multiplied by e, the equation of change() is G(z) = e (load - yielding (1 - ρ)) - 4
+  // = 0. G decreases and is convex up to its root, so Newton's method does not diverge. After `steps` the
+  // error of z is 10⁻³ (float) or 10⁻⁷ (double). The last step in change() squares the error.
   BENDLAB_INLINE static Bent arc(const P& load, const P& yielding) {
     constexpr int steps = sizeof(Real) == 4 ? 3 : 4;
     constexpr auto closed = static_cast<Real>(9.869604401089358);  // z = π² at y = π
@@ -125,7 +123,7 @@ struct PackKernel<Real, ArcSpring, law> : ElasticKernel<Real, ArcSpring> {
     return {3 * e - z * f, 4 * per_e, -4 * f * per_e * per_e * per_e};
   }
 
-  // Like arc(), for the polynomial law: p is convex in ρ. The first guess uses the slope at ρ = 1.
+  // The push under the polynomial law, for which p is convex in ρ. The first guess uses the slope at ρ = 1.
   BENDLAB_INLINE static Bent quartic(const P& load, const P& yielding) {
     constexpr int steps = sizeof(Real) == 4 ? 2 : 3;
     const Bent straight = quartic_at(broadcast<Real>(1));

@@ -1,12 +1,13 @@
 // A segment that buckles: the bending spring of Choi and Ko 2002, §4.2, between two vertices a and b.
 //
-//       .-'''-.           The cloth between a and b is not compressed, but bent to a circular arc of length
-//      /       \          L: r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ². Its ends push apart with
-//     a----r----b         P = -dU/dr = k_b κ² / (sinc y - cos y): 12 k_b/L² straight, 4π² k_b/L² closed.
+//       .-'''-.       The cloth between a and b does not shorten, but bends to a circular arc of length L and
+//      /       \      curvature κ: r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ². The arc pushes a and b
+//     a----r----b     apart with P = -dU/dr = k_b κ² / (sinc y - cos y). P grows from 12 k_b/L² (straight) to
+//                     4π² k_b/L² (closed to a circle).
 //
-// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L², so the
-// force jumps. Choi and Ko join both sides of the jump by a steep spring c_b, which their implicit
-// integration needs. change() solves for the multiplier including the jump, and needs no such spring.
+// Nothing resists r > L. At r = L the force jumps: P has any value up to 12 k_b/L², as the load requires.
+// Choi and Ko replace the jump by a steep spring c_b, because their implicit integration needs it. change()
+// needs no steep spring, because it solves for the multiplier with the jump.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ struct ArcSpring {
   static constexpr std::size_t rest_values = 1;  ///< L, m
   static constexpr bool one_sided = true;
 
-  /// Size at rest, m (see largest_move).
+  /// Size at rest, m, by which largest_move bounds the moves of corners.
   template <class Real>
   static Real rest_size(const std::array<Real, 1>& rest) {
     return rest[0];
@@ -52,7 +53,7 @@ struct ArcSpring {
   /// P L²/k_b at r/L in [0, 1].
   static double push(double ratio, Law law) { return bent(bending_of(ratio, law), law).push; }
 
-  /// C = r - L. Undefined if r has collapsed compared with L.
+  /// C = r - L. `defined` is false if r/L is not larger than rounding errors (collapsed_ratio).
   template <class Real>
   static ConstraintValue<Real, 2> value(const std::array<Vector3Of<Real>, 2>& p,
                                         const std::array<Real, 1>& rest, Law) {
@@ -67,15 +68,15 @@ struct ArcSpring {
   struct Potential {
     double energy, slope, curvature;
   };
-  /// Requires C ≤ 0. At C = 0 the derivatives are those of a segment that begins to buckle.
+  /// Requires C ≤ 0. At C = 0, where the force jumps, the derivatives are their limits from C < 0.
   static Potential potential(double value, const std::array<double, 1>& rest, Law law);
 
   /// U / k_b, 1/m, at C = r - L.
   static double energy(double value, const std::array<double, 1>& rest, Law law);
 
   /// Δλ of the exact solution of λ' = h² P(r') with r' = r + w Δλ, at C = r - L. At r' = L, P may have any
-  /// value from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` is 1 / (k_b h²), λ ≥ 0 pushes. Computed in
-  /// double for every Real.
+  /// value from 0 to the push at which a straight segment buckles. `w` is Σ w|∇C|² in 1/kg, `alpha` is 1 /
+  /// (k_b h²). `multiplier` is λ ≥ 0, which pushes a and b apart. Computes in double for every Real.
   static double change(double value, const std::array<double, 1>& rest, Law law, double w, double alpha,
                        double multiplier);
 
@@ -85,7 +86,7 @@ struct ArcSpring {
   static double push_rise(double y);
   static double bending_of(double ratio, Law law);
 
-  // The t in [0, 1], to 2⁻⁶⁰, at which `above(t)` turns from true (at 0) to false.
+  // The t in [0, 1], to 2⁻⁶⁰, at which `above(t)` changes from true (at 0) to false.
   template <class Above>
   static double bisected(const Above& above) {
     double low = 0, high = 1;
@@ -94,7 +95,7 @@ struct ArcSpring {
   }
 };
 
-/// sinc y - cos y; for small y by its series, because the difference would cancel.
+/// sinc y - cos y. For small y the difference would lose digits, so the function sums the power series.
 inline double ArcSpring::sinc_minus_cosine(double y) {
   if (y > 0.5) return sinc(y) - std::cos(y);
   double term = y * y / 3, sum = 0;  // Σ (-1)ⁿ 2 (n + 1) y²ⁿ⁺² / (2n + 3)!
@@ -102,7 +103,7 @@ inline double ArcSpring::sinc_minus_cosine(double y) {
   return sum;
 }
 
-/// d(P L²/k_b)/dy · (sinc y - cos y)² / 4 = y (3 (sinc y - cos y) - y sin y); for small y by its series.
+/// d(P L²/k_b)/dy · (sinc y - cos y)² / 4 = y (3 (sinc y - cos y) - y sin y). For small y by power series.
 inline double ArcSpring::push_rise(double y) {
   if (y > 0.5) return y * (3 * sinc_minus_cosine(y) - y * std::sin(y));
   double term = y * y * y * y / 15, sum = 0;  // Σ (-1)ⁿ⁺¹ 4 n (n + 1) y²ⁿ⁺² / (2n + 3)!, n ≥ 1
@@ -120,7 +121,7 @@ inline ArcSpring::Bent ArcSpring::bent(double t, Law law) {
   return {1 - t, push};
 }
 
-/// The t at which bent() has this ratio. Newton's method, with a bisection wherever a step leaves the
+/// The t at which bent() has the given ratio, by Newton's method. A bisection replaces steps out of the
 /// bracket.
 inline double ArcSpring::bending_of(double ratio, Law law) {
   if (!(ratio < 1)) return 0;
@@ -148,7 +149,7 @@ inline ArcSpring::Potential ArcSpring::potential(double value, const std::array<
     return {2 * y * y / length, -4 * y * y / below / squared,
             4 * push_rise(y) / (below * below) * y / below / (squared * length)};
   }
-  double energy = 0, push = 0, rise = 0;  // integral of the push from ratio to 1; push at ratio; its slope
+  double energy = 0, push = 0, rise = 0;  // integral of the push from ratio to 1; push and slope at ratio
   for (std::size_t n = polynomial.size(); n-- > 0;) {
     rise = rise * ratio + push;
     push = push * ratio + polynomial[n];
@@ -165,18 +166,17 @@ inline double ArcSpring::change(double value, const std::array<double, 1>& rest,
                                 double alpha, double multiplier) {
   const double straight = multiplier - value / w;  // λ' if r' = L
   if (straight < 0) return -multiplier;            // the spring would pull: λ' = 0
-  // From here on, lengths are in units of L and pushes in units of k_b/L²: to_push λ is a push in these
-  // units.
+  // From here on, lengths are in units of L and pushes in units of k_b/L². to_push λ is such a push.
   const double length = rest[0], to_push = alpha * length * length, yielding = to_push * length / w;
   if (to_push * straight <= bent(0, law).push) return -value / w;  // r' = L: the push stays below its limit
-  // The segment buckles: push(r') = to_push λ', which is to_push straight - yielding (1 - r') because
-  // r' = r + w Δλ.
+  // The segment buckles. With r' = r + w Δλ, push(r') = to_push λ' = to_push straight - yielding (1 - r').
   const Bent end = bent(bisected([&](double t) {
                           const Bent at = bent(t, law);
                           return to_push * straight - yielding * (1 - at.ratio) > at.push;
                         }),
                         law);
-  // Δλ follows from λ' or from r', whichever is more accurate: the push changes by 7 to 118 per unit of r'.
+  // For accuracy, Δλ is computed from λ' for a large `yielding` and from r' otherwise. The push changes by 7
+  // to 118 per unit of r'.
   return yielding > 40 ? end.push / to_push - multiplier : ((end.ratio - 1) * length - value) / w;
 }
 

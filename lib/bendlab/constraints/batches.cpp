@@ -8,8 +8,8 @@
 namespace bendlab {
 namespace {
 
-// By lane: offset_of() the vertex at corner `corner` of the lane's constraint, which is
-// vertex_of(constraint). A padded lane gets its own dummy.
+// For every lane, the offset of the vertex at corner `corner`. vertex_of(c) returns this vertex for the
+// constraint c. Every padded lane has its own dummy point.
 template <class VertexOf>
 LargeArray<int> offsets_of(const BatchOrder& order, int corner, int vertex_count, VertexOf vertex_of) {
   LargeArray<int> offsets(order.lane_count());
@@ -24,12 +24,13 @@ LargeArray<int> offsets_of(const BatchOrder& order, int corner, int vertex_count
 template <std::size_t arity>
 LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
                                int corner, int vertex_count) {
-  static_assert(arity <= dummy_corners, "padded lanes have no dummy points for so many vertices");
+  static_assert(arity <= dummy_corners,
+                "a constraint has more vertices than a padded lane has dummy points: raise dummy_corners");
   return offsets_of(order, corner, vertex_count,
                     [&](std::size_t c) { return vertices[c][static_cast<std::size_t>(corner)]; });
 }
 
-// By star: offset_of() its centre. A padded lane gets its own dummy.
+// For every star, the offset of its centre. Every padded lane has its own dummy point.
 LargeArray<int> centre_offsets(const PairList& pairs, const BatchOrder& order, int vertex_count) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
   LargeArray<int> offsets(order.stack_count() * width);
@@ -42,7 +43,7 @@ LargeArray<int> centre_offsets(const PairList& pairs, const BatchOrder& order, i
   return offsets;
 }
 
-// Rest values of all lanes; a padded lane gets `padding`.
+// Rest values of all lanes; `padding` is the rest value of padded lanes.
 template <class Real, class Get>
 LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   LargeArray<Real> values(order.lane_count(), padding);
@@ -52,7 +53,7 @@ LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   return values;
 }
 
-// The softness, bounded so that it does not become 0 or infinite as a Real.
+// The softness, limited to the range of Real, so that the conversion to Real gives neither 0 nor infinity.
 template <class Real>
 double nearest_number(double softness) {
   if (!(softness > 0)) return softness;

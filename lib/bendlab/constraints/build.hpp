@@ -11,20 +11,20 @@
 namespace bendlab {
 
 /// One strain constraint per triangle, in mesh order. A triangle gets no constraint if all its corners are
-/// pinned or if it is `off` (#T; empty: no triangle is).
+/// pinned, or if `off` (#T) is true for the triangle. If `off` is empty, no triangle is off.
 StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
                                      const std::vector<InverseRest>& inverse_rest,
                                      const std::vector<char>& off = {});
 
-/// #T: whether a triangle is degenerate and all its vertices also have a triangle that is not degenerate.
-/// Then the degenerate triangle needs no strain constraint (BadTriangles::membrane_off).
+/// #T: whether a triangle is degenerate and each of its vertices also belongs to a triangle that is not
+/// degenerate. Such a degenerate triangle needs no strain constraint (BadTriangles::membrane_off).
 std::vector<char> dispensable_triangles(const RestMesh& rest);
 
-/// The membrane of mass-spring cloth: a spring at rest along every edge with a free end, in mesh order.
+/// The membrane of mass-spring cloth: a spring at rest along every edge that has a free end, in mesh order.
 DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins);
 
-/// #V masses, kg: `density` (kg/m²) times a third of the area of each adjacent triangle. A vertex that only
-/// has degenerate triangles gets 1/100 of the mean mass, because a vertex that moves needs a mass.
+/// #V masses, kg: `density` (kg/m²) times a third of the area of each adjacent triangle. A vertex that has
+/// only degenerate triangles gets 1/100 of the mean mass, because every free vertex needs a mass.
 std::vector<double> lumped_masses(const RestMesh& rest, double density);
 
 }  // namespace bendlab

@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// Positions (#V by 3) of N vertices.
+/// Rows of `positions` (#V by 3) for the N vertices.
 template <std::size_t N>
 std::array<Vector3, N> corners(const Positions& positions, const std::array<int, N>& vertices) {
   std::array<Vector3, N> p;

@@ -1,5 +1,6 @@
-// What lies in a lane: a star, that is the springs of one centre a, one spring in each group of its stack.
-// The centres stay in registers. A pack takes lanes<Real> of the max_lanes = 16 lanes at a time.
+// A lane (an entry of a vector register) holds a star: the springs of one centre a. Each group of the stack
+// holds one spring of the star. The centres stay in registers. A pack is a vector register; it takes
+// lanes<Real> of the max_lanes = 16 lanes of a group at a time.
 //
 //   lane           0      1      2    …
 //   centre a       a0     a1     a2         batch.a[16 stack + lane]
@@ -15,9 +16,9 @@
 namespace bendlab {
 namespace {
 
-// The number of lanes by which a batch's data is fetched before it is used. A tile begins in the middle of
-// each colour, where the processor has no stream to follow (measured at a million vertices: this saves 8 % of
-// the time of a spring).
+// While a lane is computed, the data that is `ahead` lanes farther is fetched. The processor itself does not
+// know which data follow when a tile begins in the middle of a colour. With a million vertices, fetching
+// saves 8 % of the measured time per spring.
 constexpr std::size_t ahead = 512;
 
 // The ends of a pack's springs in the rest shape.
@@ -26,9 +27,9 @@ struct RestEnds {
   const Point<Real>* points;  // null: there is no rest shape
   const int *a, *b;           // offsets, one per lane
 
-  // In `collapsed` lanes sets d to the direction at rest with the length `length`. Padded lanes, whose rest
-  // length is the largest number, are left out: a star that is shorter than its stack has its own centre in
-  // them, and if that centre lies next to the dummy, the length overflows.
+  // In `collapsed` lanes, sets d to the spring's direction in the rest shape, with the length `length`.
+  // Padded lanes are left out: their rest length is the largest number, so `length` would overflow if the
+  // centre lies next to the dummy point.
   BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
                            const Pack<Real>& length) const {
     if (points == nullptr) return;
@@ -44,8 +45,8 @@ struct RestEnds {
 //   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n,
 //                            n = d / |d|,   d = p_a - p_b
 //
-// A collapsed spring takes d from the rest shape, just long enough to have a direction. A correction is never
-// longer than C, and |∇C| is never rounding, so no move needs a bound. Moves a, and returns the move of b.
+// For a collapsed spring d has the direction in the rest shape and a length just above the limit. No move
+// needs a bound, because no correction is longer than C, and |∇C| is 1. Moves a, and returns the move of b.
 template <class Real, bool compliant, bool only_pulls>
 BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoints<Real>& b,
                                              const Pack<Real>& rest, Real k, const Pack<Real>& alpha,
@@ -66,7 +67,7 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
   if constexpr (compliant) {
     const P multiplier = load(multipliers);
     P change = acts ? (rest - squared * inverse_length - alpha * multiplier) * inverse_sum : zero;
-    if constexpr (only_pulls) change = change > -multiplier ? -multiplier : change;  // λ ≤ 0
+    if constexpr (only_pulls) change = change > -multiplier ? -multiplier : change;  // keeps λ ≤ 0
     store(multipliers, multiplier + change);
     step = change * inverse_length;
   } else {

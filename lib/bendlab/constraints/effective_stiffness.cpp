@@ -38,7 +38,7 @@ double square(double x) {
   return x * x;
 }
 
-// Adds a constraint whose bending part B is its value C.
+// Adds a constraint whose bending part B equals its value C.
 template <std::size_t N>
 void add(AppliedWork& work, const ConstraintValue<double, N>& c, double multiplier, double alpha,
          double rounding) {
@@ -78,8 +78,8 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& s
   return work;
 }
 
-// The Green strain E of the membrane at every vertex, as a tensor on the rest shape: the mean over its
-// triangles, weighted by area. A vertex with area 0 has no strain.
+// The Green strain E of the membrane at every vertex, as a tensor on the rest shape: the mean over the
+// vertex's triangles, weighted by area. A vertex whose triangles have no area has no strain.
 struct MembraneStrain {
   std::vector<Eigen::Matrix3d> strain;
   std::vector<double> area;  // m²
@@ -111,7 +111,7 @@ struct MembraneStrain {
   }
 };
 
-// r0 and B of a spring (see the header).
+// r0 and B of a spring, as defined in the header.
 struct BendingPart {
   double at_rest = 0, value = 0;  // m
 };
@@ -134,7 +134,7 @@ class SpringMeter {
     return BendingPart{at_rest, (state_.positions[a] - state_.positions[b]).norm() - stretched};
   }
 
-  // The rounding of B, m: it comes from two ends and the strain between them.
+  // The rounding error of B, m. Both ends of the spring and the strain between its ends contribute.
   double rounding() const { return 4 * state_.rounding; }
 
  private:
@@ -165,7 +165,7 @@ void add_springs(AppliedWork& work, const DistanceBatch<Real>& batch, const Spri
   });
 }
 
-// For kinds that measure bending by a distance. `stated` is the push by the kind's own law.
+// Adds the springs of a kind whose value is a distance. `stated` is the push by the law of the kind.
 template <class Real, OneSided Kind>
 void add_springs(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const SpringMeter& meter,
                  double substep) {
@@ -198,10 +198,10 @@ bool is_measured(const AppliedWork& work) {
   return work.measured > least * work.rounding && work.stated > 0;
 }
 
-// The share is 0 if the work has the wrong sign, that is, if the constraints help the deformation.
+// The share is 0 if the work has the wrong sign, because the constraints increase the deformation.
 double share_of(const AppliedWork& work) {
-  // Bound on flexibility over stiffness. Settled strips and sheets had up to 7. A cloth that shakes has
-  // hundreds, because of multipliers that do not resist bending.
+  // Bound on flexibility / stiffness. In strips and sheets at rest this ratio was 7 or less. In a cloth that
+  // shakes it is in the hundreds, because of multipliers that do not resist bending.
   constexpr double most = 8;
   const double stiffness = std::max(0.0, work.applied) / work.stated;
   if (work.spent == 0 || !(stiffness > 0)) return stiffness;
@@ -237,7 +237,7 @@ template <class Real>
 EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state) {
   EffectiveStiffness result{
       .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
-  if (constraints.own.count > 0) return result;  // the bending part of own elements is not known
+  if (constraints.own.count > 0) return result;  // which part of own elements is bending is not known
   std::optional<SpringMeter> meter;
   const auto measure_springs = [&](const auto& batch) {
     if (state.rest.empty()) return;

@@ -1,13 +1,13 @@
-// The kernels of all element kinds. Each loads a pack of constraints, solves for the corrections, and stores
-// them. The source of a kind specialises PackKernel and instantiates the kernels with
-// BENDLAB_ELEMENT_KERNELS; no other source includes this header.
+// The kernels of all element kinds. A kernel loads a pack of constraints, computes their corrections, and
+// stores the results. The source of a kind specialises PackKernel and instantiates the kernels with
+// BENDLAB_ELEMENT_KERNELS. Only sources of kinds include this header.
 //
 //   load    WholeCorners, SplitCorners   positions and inverse masses of the corners (see Places)
 //   solve   PackKernel                   C and ∇C, by a law of the kind
 //           PbdStiffness, XpbdStiffness  Δλ, by the stiffness of the batch
 //   store   the corners, XpbdStiffness   x += w ∇C Δλ, λ += Δλ
 //
-// What lies in a lane: one constraint of the batch, with all its corners and rest values.
+// A lane (an entry of a vector register) holds one constraint of the batch, with its corners and rest values.
 //
 //   lane          0        1        2     …      lanes<Real> of a group at a time
 //   corner 0      v        v        v            p[0]: packs of x, y, z and of w = 1/m
@@ -38,13 +38,13 @@ struct PackConstraint {
 /// A kind with one of its laws, for the lanes of a pack. A specialisation inherits from ElasticKernel and has
 ///
 /// * `evaluate(p, rest)` → PackConstraint: Kind::value() of the lanes;
-/// * `rest_size_squared(rest)`, m²: of a length that is no longer than the constraint's size at rest;
-/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that size.
+/// * `rest_size_squared(rest)`, m²: the square of a length that is at most the constraint's size at rest;
+/// * `exceeds_rest_size(squared, rest)`: the lanes in which `squared` is larger than rest_size_squared().
 template <class Real, class Kind, typename Kind::Law law>
 struct PackKernel;
 
-/// The defaults that a PackKernel inherits, and redefines if its kind differs: the energy is ½ C² / α for
-/// every C, and collapsed constraints stay collapsed.
+/// The defaults that a PackKernel inherits: the energy is ½ C² / α for every C, and collapsed constraints do
+/// not open. A PackKernel redefines the functions in which its kind differs.
 template <class Scalar, class Kind>
 struct ElasticKernel {
   using Real = Scalar;
@@ -56,13 +56,14 @@ struct ElasticKernel {
   /// The lanes in which k and damping act on the value C.
   BENDLAB_INLINE static PackMask<Real> resists(const Pack<Real>&) { return Pack<Real>{} == Pack<Real>{}; }
 
-  /// Δλ of a projection with w = Σ w|∇C|². A OneSided kind has Kind::change() of the lanes instead.
+  /// Δλ of a projection with w = Σ w|∇C|². A OneSided kind uses Kind::change() instead.
   BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const Rest&, const Pack<Real>& w,
                                           const Pack<Real>& alpha, const Pack<Real>& multiplier) {
     return (-value - alpha * multiplier) / (w + alpha);
   }
 
-  /// In collapsed lanes the value to correct, elsewhere 0 (see ConstraintValue).
+  /// The value to correct (ConstraintValue) in lanes whose constraint has collapsed, and 0 in all other
+  /// lanes.
   BENDLAB_INLINE static Pack<Real> when_collapsed(const Corners&, const Rest&) { return Pack<Real>{}; }
 };
 
@@ -97,7 +98,7 @@ BENDLAB_INLINE std::array<Pack<Real>, N> load(const std::array<LargeArray<Real>,
   return packs;
 }
 
-// The corners of a pack of constraints, at whole places.
+// The corners of a pack of constraints if places are not split (point.hpp).
 template <class Real, std::size_t N>
 struct WholeCorners {
   Point<Real>* points;
@@ -112,7 +113,7 @@ struct WholeCorners {
   }
 };
 
-// The same at split places, relative to the base of the first corner.
+// The corners of a pack of constraints if places are split, relative to the base of the first corner.
 template <class Real, std::size_t N>
 struct SplitCorners {
   const Places<Real>& places;
@@ -137,7 +138,7 @@ template <class Real>
 struct Leverage {
   Pack<Real> weighted{};  // Σ w|∇C|²
   Pack<Real> largest_w{};
-  PackMask<Real> is_more_than_rounding;  // the gradient of the corners that can move (see least_lever)
+  PackMask<Real> is_more_than_rounding;  // whether the free corners have a usable gradient (see least_lever)
 
   template <std::size_t N>
   BENDLAB_INLINE Leverage(const std::array<PackPoints<Real>, N>& p,
@@ -170,7 +171,7 @@ struct PbdStiffness {
   BENDLAB_INLINE void store_multiplier(Batch&, std::size_t, const Pack<Real>&) const {}
 };
 
-// XPBD: α̃ is this compliance times each constraint's softness.
+// XPBD: α̃ is compliance_over_h2 times the constraint's softness.
 template <class Real>
 struct XpbdStiffness {
   Real compliance_over_h2;
@@ -193,9 +194,8 @@ struct XpbdStiffness {
   }
 };
 
-// Projects a pack of constraints. Returns false and changes nothing if the pack has to be projected
-// carefully, because a constraint has collapsed or a corner would move farther than its constraint's size at
-// rest.
+// Projects a pack of constraints. Returns false and changes nothing if project_carefully() has to project the
+// pack, because a constraint has collapsed or a corner would move farther than its constraint's size at rest.
 template <class Kernel, class Corners, class Stiffness, class Real>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Batch& batch, std::size_t lane,
                                  const Stiffness& stiffness) {
@@ -206,7 +206,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Ba
   const auto c = Kernel::evaluate(corners.p, rest);
   const Leverage<Real> leverage(corners.p, c.gradient);
   const Pack<Real> change = stiffness.template change<Kernel>(c, leverage, rest, batch, lane);
-  // No corner moves farther than √way: w²|∇C|² is at most the largest w times Σ w|∇C|².
+  // No corner moves farther than √way, because w²|∇C|² is at most the largest w times Σ w|∇C|².
   const Pack<Real> way = change * leverage.weighted * change * leverage.largest_w;
   if (any(~c.defined | Kernel::exceeds_rest_size(way, rest))) [[unlikely]]
     return false;
@@ -217,8 +217,8 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Ba
   return true;
 }
 
-// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if the rest shape has
-// no direction either.
+// In lanes whose gradient has no direction, uses the gradient of the constraint's rest shape. If the rest
+// shape has no direction either, the gradient is 0.
 template <class Kernel>
 BENDLAB_INLINE void open(typename Kernel::Constraint& c, const typename Kernel::Corners& p,
                          const typename Kernel::Rest& rest, const typename Kernel::Batch& batch,
@@ -239,7 +239,8 @@ BENDLAB_INLINE void open(typename Kernel::Constraint& c, const typename Kernel::
   c.defined = c.defined | opens;
 }
 
-// Shortens a change of the multiplier that would move a corner farther than largest_move sizes.
+// Returns `change`, a change of the multiplier, or a smaller change if `change` would move a corner farther
+// than largest_move sizes of the constraint.
 template <class Kernel>
 BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
                                  const typename Kernel::Constraint& c, const typename Kernel::Corners& p,
@@ -259,8 +260,8 @@ BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
-// project_pack() with collapsed constraints opened and moves bounded. A separate function, so that the rare
-// case takes no registers from the usual case.
+// Projects a pack of constraints, opens collapsed constraints and bounds the moves. A separate function, so
+// that this rare case takes no registers from project_pack().
 template <class Kernel, class Corners, class Stiffness, class Real>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, typename Kernel::Batch& batch,
                                          std::size_t lane, const Stiffness& stiffness) {
@@ -337,7 +338,7 @@ void with_kernel(const ElementBatch<Real, Kind>& batch, const Action& action) {
 
 }  // namespace detail
 
-// No two constraints of a stack share a vertex, so the order within a stack does not matter.
+// Ignores `backwards`: no two constraints of a stack share a vertex, so their order does not matter.
 template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
              std::size_t last, Real substep, bool) {
@@ -367,7 +368,7 @@ void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBat
                 std::size_t first, std::size_t last) {
   if constexpr (OneSided<Kind>) {
     if (first < last)
-      throw std::logic_error("add_forces: one-sided kinds have no forces here, because their force jumps");
+      throw std::logic_error("add_forces() does not support one-sided kinds, because their force jumps");
   } else {
     detail::with_kernel(batch, [&]<class Kernel>(Kernel) {
       detail::add_forces_of_lanes<Kernel>(points, forces, batch, batch.order.stacks[first],

@@ -1,23 +1,23 @@
 // Elements: constraints that are one scalar function C of a fixed number of vertices. The bending models of
-// the literature are made of them. A kind says how many vertices and rest values it has; list, batch,
-// projection, damping and energy are the same for all.
+// the literature consist of elements. Each kind of element states its numbers of vertices and rest values;
+// list, batch, projection, damping and energy have the same code for all kinds.
 //
-// A new kind takes a header with the struct below and its value and gradient for one constraint (the oracle),
-// a source with the same for a pack of lanes, and a line in kinds.hpp:
+// A new kind needs a line in kinds.hpp and two files. A header has the struct below, with value and gradient
+// of one constraint (the oracle). A source has value and gradient for a pack of lanes (element_kernel.hpp).
 //
 //   struct Kind {
 //     static constexpr std::string_view name;  // in run files
 //     static constexpr std::size_t arity, rest_values;
 //     enum class Law { … };                     // variants of C
-//     static constexpr std::array law_names;    // of the laws, in their order
+//     static constexpr std::array law_names;    // in the order of the enum
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
 //     template <class Real>
-//     static Real rest_size(rest);   // m, no longer than the constraint at rest (see largest_move)
+//     static Real rest_size(rest);   // m, at most the constraint's size at rest (see largest_move)
 //   };
 //
-// The energy of a kind is ½ C² / α. A kind with another energy, which is 0 for C ≥ 0, is OneSided: k and
-// damping act on it only if C < 0. Such a kind also defines functions that otherwise follow from ½ C² / α:
+// The usual energy of a kind is ½ C² / α. A OneSided kind has another energy, which is 0 for C ≥ 0; k and
+// damping act only if C < 0. A OneSided kind defines functions that follow from ½ C² / α for other kinds:
 //
 //     static constexpr bool one_sided = true;
 //     static double energy(C, rest, law);                        // times the compliance
@@ -41,7 +41,7 @@ concept OneSided = requires {
 template <class Kind>
 struct ElementList {
   std::vector<std::array<int, Kind::arity>> vertices;       ///< #C
-  std::vector<std::array<double, Kind::rest_values>> rest;  ///< #C, see the kind
+  std::vector<std::array<double, Kind::rest_values>> rest;  ///< #C, as the kind defines them
   std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
   typename Kind::Law law{};      ///< of all elements in the list
 
@@ -54,17 +54,17 @@ struct ElementBatch {
   std::array<LargeArray<int>, Kind::arity> corner;       ///< offset_of() each vertex, by lane
   std::array<LargeArray<Real>, Kind::rest_values> rest;  ///< by lane
   LargeArray<Real> softness;                             ///< by lane
-  LargeArray<Real> multiplier;                           ///< λ, XPBD only, else empty
+  LargeArray<Real> multiplier;                           ///< λ; empty without XPBD
   typename Kind::Law law{};
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< α is this times the softness
   std::size_t count = 0;
-  /// Rest shape along which collapsed elements open; null: they stay collapsed.
+  /// Collapsed elements open towards this rest shape; null: collapsed elements do not open.
   const Point<Real>* rest_points = nullptr;
 };
 
-/// A batch from a list, in the given order. `vertex_count` is the index of the first dummy.
+/// A batch from a list, in the given order. `vertex_count` is the index of the first dummy point.
 template <class Real, class Kind>
 ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, BatchOrder order,
                                             int vertex_count);

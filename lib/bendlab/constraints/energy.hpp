@@ -1,5 +1,5 @@
-// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness. For
-// a OneSided kind it is the kind's own energy / softness. Undefined (collapsed) constraints do not count.
+// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness. A
+// OneSided kind adds its own energy / softness. Collapsed constraints, which have no gradient, add nothing.
 #pragma once
 
 #include "bendlab/constraints/batches.hpp"
@@ -14,8 +14,8 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// The same for warp, weft and shear in this form. The α of shear is compliance / rest area, and the α of
-/// warp and weft is stretch_softness() times as large.
+/// Elastic energy of warp, weft and shear in the given form, in J times the scene's compliance. The α of
+/// shear is compliance / rest area, and the α of warp and weft is stretch_softness() times as large.
 double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
 
 }  // namespace bendlab

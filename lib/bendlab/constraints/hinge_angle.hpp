@@ -1,7 +1,7 @@
 // The fold angle at an edge that two triangles share.
 //
 //          p2
-//         /  \        θ = atan2((n1 × n2)·e, n1·n2) in (-π, π]; 0 if flat, the sign is the sense of the fold.
+//         /  \        θ = atan2((n1 × n2)·e, n1·n2) in (-π, π]; 0 if flat. The sign shows the side.
 //       p0 -- p1      n1 and n2 are the unit normals, e is the direction from p0 to p1.
 //         \  /
 //          p3
@@ -23,7 +23,7 @@ struct HingeAngle {
   /// Rest angle θ0, inverse rest length of the edge in 1/m, sin(θ0/2), cos(θ0/2).
   static constexpr std::size_t rest_values = 4;
 
-  /// Size at rest, m (see largest_move).
+  /// Size at rest, m, by which largest_move bounds the moves of corners.
   template <class Real>
   static Real rest_size(const std::array<Real, 4>& rest) {
     return 1 / rest[1];
@@ -40,9 +40,9 @@ struct HingeAngle {
                                         const std::array<Real, 4>& rest, Law law);
 };
 
-/// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined if the edge or
-/// a triangle's height has collapsed compared with the edge's rest length; the triangle's strain then opens
-/// the triangle.
+/// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). `defined` is false if the
+/// edge or a triangle's height is not larger than rounding errors of the edge's rest length. A collapsed
+/// triangle is opened by its strain constraint.
 template <class Real>
 ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real per_rest_edge) {
   const Vector3Of<Real> e = (p[1] - p[0]) * per_rest_edge;

@@ -1,4 +1,4 @@
-// What lies in a lane: one hinge.
+// A lane (an entry of a vector register) holds one hinge.
 //
 //       p2            p[0] … p[3]   its corners: packs of x, y, z and of w = 1/m
 //      /  \           rest[0]       θ0
@@ -6,7 +6,7 @@
 //      \  /           rest[2], [3]  sin(θ0/2), cos(θ0/2)
 //       p3
 //
-// Symbols and order are those of the oracle, hinge_angle() in hinge_angle.hpp.
+// Symbols and order are as in the oracle (the scalar code), hinge_angle() in hinge_angle.hpp.
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/pack_math.hpp"

@@ -1,6 +1,6 @@
-// The hot loops: project a range of stacks of a batch, all lanes of a pack at once. The stacks must lie
-// within one colour. `substep` is h in s, used by XPBD only; `backwards` goes through the constraints in the
-// opposite order.
+// The loops that take most of the time. project() projects a range of stacks of a batch, all lanes of a pack
+// at once. The stacks must lie within one colour. `substep` is h in s, which only XPBD uses. `backwards`
+// projects the constraints in the opposite order.
 #pragma once
 
 #include <type_traits>
@@ -20,8 +20,8 @@ void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std:
              std::size_t last_stack, Real substep, bool backwards = false);
 
 /// Adds the elastic force -ψ'(C) ∇C of each constraint to the points of `forces`, in N: ψ = C² / 2α with the
-/// batch's compliance, which has to be above 0. A constraint without a direction has no force. `points` are
-/// whole positions; forces of pinned points are added, too.
+/// batch's compliance, which has to be above 0. A constraint without a direction adds no force. `points` are
+/// positions in one piece (not split, see point.hpp). Pinned points get forces, too.
 template <class Real>
 void add_forces(const Point<Real>* points, Point<Real>* forces, const DistanceBatch<Real>& batch,
                 std::size_t first_stack, std::size_t last_stack);
@@ -34,9 +34,8 @@ void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBat
                 std::size_t first_stack, std::size_t last_stack);
 
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
-/// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. For a triangle
-/// it damps the normalised warp, weft and shear terms. The batch must be conflict-free (else use
-/// damp_by_oracle()).
+/// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Damps normalised
+/// warp, weft and shear of triangles. The batch must be conflict-free; otherwise use damp_by_oracle().
 template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch, Real k);
 template <class Real>
@@ -44,7 +43,8 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
 template <class Real, class Kind>
 void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k);
 
-/// Calls action(std::bool_constant<whether the places are split>). Only single precision has split places.
+/// Calls action(std::bool_constant<split>), where `split` says whether the places are split (single
+/// precision).
 template <class Real, class Action>
 void with_split(const Places<Real>& places, const Action& action) {
   if constexpr (sizeof(Real) == sizeof(float)) {

@@ -1,5 +1,5 @@
-// All element kinds. To add a kind, add it to the list here, and state in calibration.cpp how the kind
-// resists.
+// All element kinds. A new kind needs an entry in the list here, and its resistance to bending in
+// calibration.cpp.
 #pragma once
 
 #include <string_view>
@@ -47,14 +47,14 @@ using ElementLists = detail::OfKinds<double, ElementKinds>::Lists;
 template <class Real>
 using ElementBatches = typename detail::OfKinds<Real, ElementKinds>::Batches;
 
-/// Index of a kind in these tuples.
+/// Index of a kind in ElementLists and ElementBatches.
 template <class Kind>
 inline constexpr std::size_t kind_index = detail::OfKinds<double, ElementKinds>::index<Kind>();
 
-/// Index of the kind with that Kind::name. Throws std::invalid_argument, which lists the known names.
+/// Index of the kind that has this Kind::name. Throws std::invalid_argument with a list of the known names.
 std::size_t index_of_kind(std::string_view name);
 
-/// Calls action(list) or action(batch) for every kind.
+/// Calls action(list) or action(batch) for every kind of a tuple.
 template <class Tuple, class Action>
 void for_each_kind(Tuple& elements, const Action& action) {
   std::apply([&](auto&... lists) { (action(lists), ...); }, elements);

@@ -1,6 +1,6 @@
-// A vector that asks the system for pages of 2 MB if the vector is large. Projecting a million vertices uses
-// more pages of 4 KB than a processor has address translations for (measured: large pages save 15 % of the
-// time of a spring).
+// A vector that asks the system for pages of 2 MB if the vector is large. A processor stores too few address
+// translations for the pages of 4 KB of a million vertices; large pages save 15 % of the measured time per
+// spring.
 #pragma once
 
 #include <sys/mman.h>
@@ -28,7 +28,7 @@ struct HugePageAllocator {
     const std::size_t alignment = large ? huge_page : std::size_t{64};
     void* const memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (!memory) throw std::bad_alloc();
-    if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // only advice: if refused, access is slower
+    if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // if the system ignores this advice, access is slower
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
@@ -42,7 +42,7 @@ struct HugePageAllocator {
 template <class T>
 using LargeArray = std::vector<T, HugePageAllocator<T>>;
 
-/// Fetches an element before it is needed, or the last element if `index` is beyond the end.
+/// Fetches an element before its use. Fetches the last element if `index` is beyond the end.
 template <class T>
 void prefetch(const LargeArray<T>& array, std::size_t index) {
   __builtin_prefetch(array.data() + std::min(index, array.size() - 1));

@@ -23,8 +23,8 @@ DistanceConstraints DistanceConstraints::renumbered(const std::vector<int>& perm
   return list;
 }
 
-// Not inline, so that every caller gets the same bits: an inlined copy may fuse products and sums in another
-// way.
+// Not inline, so that every caller gets the same bits: each inlined copy may fuse products and sums
+// differently.
 double DistanceConstraints::length_in(const Positions& shape, const std::array<int, 2>& pair) {
   const Vector3 a = shape.row(pair[0]).transpose(), b = shape.row(pair[1]).transpose();
   return (a - b).norm();

@@ -1,4 +1,4 @@
-// Constraints as plain lists, one list per kind, as models build them and before they are ordered.
+// Constraints as plain lists, one list per kind, in the order in which models build the lists.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace bendlab {
 /// |p_a - p_b| = rest(c).
 struct DistanceConstraints {
   PairList vertices;  ///< #C pairs (a, b)
-  /// #C, m. If empty, a spring's rest length is the distance of its vertices in rest_shape. Most models mean
-  /// this, and a list of millions of lengths would be the largest array in memory.
+  /// #C, m. If empty, a spring's rest length is the distance of its vertices in rest_shape. Most models need
+  /// no other lengths, and a list of millions of lengths would be the largest array in memory.
   std::vector<double> rest_length = {};
   std::vector<double> softness = {};  ///< #C, or empty (all 1). XPBD: α is this times the scene's compliance
   std::shared_ptr<const Positions> rest_shape = nullptr;  ///< #V by 3, m; null where the lengths are stored
@@ -23,15 +23,15 @@ struct DistanceConstraints {
   double rest(std::size_t c) const {  ///< m
     return rest_length.empty() ? length_in(*rest_shape, vertices[c]) : rest_length[c];
   }
-  /// Stores every length, so that it can be changed.
+  /// Fills rest_length, so that the lengths can be changed.
   void store_rest_lengths();
-  /// The same springs between vertices v' = permutation[v].
+  /// The springs with permutation[v] in place of each vertex v.
   DistanceConstraints renumbered(const std::vector<int>& permutation) const;
 
   static double length_in(const Positions& shape, const std::array<int, 2>& pair);  ///< m
 };
 
-/// A list to be filled with springs that are at rest in this shape (#V by 3, m).
+/// An empty list for springs that are at rest in this shape (#V by 3, m).
 DistanceConstraints springs_at_rest_in(const Positions& shape);
 
 /// A triangle and its material coordinates: P = [p1 - p0, p2 - p0] = F Q.

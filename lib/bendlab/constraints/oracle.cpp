@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// Calls visit(lane, stack) for every lane that holds a constraint.
+// Calls visit(lane, stack) for every lane that holds a constraint, in the order of the lanes or backwards.
 template <class Visit>
 void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
   for (std::size_t step = 0; step < order.stack_count(); ++step) {
@@ -54,7 +54,7 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
-// value_at(p). If the constraint has collapsed, its gradient is the gradient at the rest shape, whose corners
+// value_at(p). If the constraint has collapsed, the result has the gradient of the rest shape, whose corners
 // are `rest` (null: there is no rest shape).
 template <class Real, std::size_t N, class ValueAt>
 ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
@@ -72,7 +72,7 @@ std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real
   return {&point_at(rest_points, offsets)...};
 }
 
-// XPBD for a kind that itself defines the change of the multiplier.
+// XPBD for a kind that defines its own change of the multiplier.
 template <class Real, OneSided Kind, std::size_t N>
 void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintValue<Real, N>& c,
                        const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
@@ -86,7 +86,8 @@ void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintVal
   multiplier += move_by_oracle(p, c, change, reach);
 }
 
-// For a spring that only pulls: λ ≤ 0. Returns true if the spring is slack, and then undoes its earlier pull.
+// For a spring that only pulls (λ ≤ 0). Undoes the pull of a slack spring. Returns whether the spring is
+// slack.
 template <class Real>
 bool slackened(const std::array<Corner<Real>, 2>& p, const ConstraintValue<Real, 2>& c, Real* multiplier) {
   if (multiplier == nullptr) return c.value <= 0;
@@ -133,8 +134,8 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
-    // If a stretch had collapsed before the first term, its constraint is C = f·d - 1 with the direction d at
-    // rest, even if the first term changed f.
+    // If warp or weft had collapsed before the first term, its stretch is C = f·d - 1, even if the first term
+    // changed f. d is the direction of f in the rest shape.
     const auto start = vectors_of<Real>(p);
     const auto stretch = [&](int axis) {
       const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };

@@ -1,5 +1,6 @@
 // The oracle: the value and gradient of one constraint at a time, with Eigen 3-vectors, in the papers'
-// symbols. The kernels must agree with it to rounding; the solver's order `mesh` uses it.
+// symbols. The kernels must agree with the oracle to rounding. With the solver's order `mesh` the oracle
+// projects constraints.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,8 +13,7 @@
 
 namespace bendlab {
 
-/// A corner of a constraint, for projections. Its position is that of the vertex, or, if places are split,
-/// relative to the base of the first corner.
+/// A corner of a constraint. If places are split (point.hpp), relative to the base of the first corner.
 template <class Real>
 struct Corner {
   Vector3Of<Real> base;
@@ -56,7 +56,7 @@ std::array<Vector3Of<Real>, 2> deformation_gradient(const std::array<Vector3Of<R
   return {e1 * q[0] + e2 * q[2], e1 * q[1] + e2 * q[3]};
 }
 
-/// The longest distance between two corners, or `at_rest` if that is longer, m.
+/// The longest distance between two corners, or `at_rest` if `at_rest` is longer, m.
 template <class Real, std::size_t N>
 Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
   Real size = at_rest;
@@ -65,8 +65,8 @@ Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
   return size;
 }
 
-/// The same for a triangle. Its size at rest is exact for two equal sides at a right angle, else an
-/// underestimate.
+/// size_of() for a triangle. The size at rest is exact for two equal sides at a right angle, otherwise too
+/// small.
 template <class Real>
 Real size_of_triangle(const std::array<Vector3Of<Real>, 3>& p, const std::array<Real, 4>& q) {
   return size_of(p, std::sqrt(2 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])));
@@ -84,7 +84,7 @@ std::array<Vector3Of<Real>, 3> corner_gradients(const Vector3Of<Real>& of_b, con
 ///   normalised, angle   C = √S_ii - 1   ∂C/∂f = f / |f|   (SBD 2014, eq. 14)
 ///   green               C = S_ii - 1    ∂C/∂f = 2 f       (eq. 9)
 ///
-/// The corners b and c have the gradients q[i] ∂C/∂f and q[2 + i] ∂C/∂f, and a has minus their sum.
+/// The corners b and c have the gradients q[i] ∂C/∂f and q[2 + i] ∂C/∂f; ∇_a C = -∇_b C - ∇_c C.
 template <class Real>
 ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                             const std::array<Real, 4>& q, int i, StrainForm form) {
@@ -103,10 +103,10 @@ ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>
 ///
 ///   green        C = S_12 = f1·f2         ∂C/∂f1 = a1 = f2                              (SBD 2014, eq. 10)
 ///   normalised   C = cos φ = n1·n2        ∂C/∂f1 = a1 = (n2 - cos φ n1) / |f1|          (eq. 15)
-///   angle        C = asin cos φ           ∂C/∂f1 = a1 = (n2 - cos φ n1) / (|f1| sin φ)  (ours)
+///   angle        C = asin cos φ           ∂C/∂f1 = a1 = (n2 - cos φ n1) / (|f1| sin φ)  (not from a paper)
 ///
-/// and a2 = ∂C/∂f2 likewise. The corners b and c have the gradients q[0] a1 + q[1] a2 and q[2] a1 + q[3] a2,
-/// and a has minus their sum.
+/// a2 = ∂C/∂f2 follows from a1 by exchanging f1 and f2. The corners b and c have the gradients q[0] a1 + q[1]
+/// a2 and q[2] a1 + q[3] a2; ∇_a C = -∇_b C - ∇_c C.
 template <class Real>
 ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                           const std::array<Real, 4>& q, StrainForm form) {
@@ -151,7 +151,7 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
           detail::corner_gradients<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
 }
 
-/// Σ w|∇C|², or 0 if the gradient of the corners that can move is rounding (see least_lever).
+/// Σ w|∇C|², or 0 if the gradient of the free corners is only a rounding error (see least_lever).
 template <class Real, std::size_t N>
 Real weighted_square(const std::array<Real, N>& w, const ConstraintValue<Real, N>& c) {
   Real sum = 0, whole = 0;
@@ -169,12 +169,12 @@ std::array<Real, N> inverse_masses(const std::array<Corner<Real>, N>& corners) {
   return w;
 }
 
-/// No bound on the move of a corner, m. For distances, whose correction is never longer than C.
+/// No bound on the move of a corner, m. Used for distances, whose correction is never longer than C.
 template <class Real>
 inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
 
-/// Moves the corners by Δx = w ∇C Δλ. Shortens Δλ (`change`) if a corner would move farther than `reach` (m).
-/// Returns Δλ.
+/// Moves the corners by Δx = w ∇C Δλ and returns Δλ. Δλ is `change`, or less if a corner would move over
+/// `reach`, m.
 template <class Real, std::size_t N>
 Real move_by_oracle(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
                     Real reach) {
@@ -186,8 +186,8 @@ Real move_by_oracle(std::array<Corner<Real>, N> corners, const ConstraintValue<R
   return change;
 }
 
-/// One projection: PBD with the fraction `k`, Δλ = -k C / Σ w|∇C|²; or, if `multiplier` (λ) is not null, XPBD
-/// with α̃ = `compliance_over_h2`, Δλ = (-C - α̃ λ) / (Σ w|∇C|² + α̃).
+/// One projection. If `multiplier` is null: PBD with the fraction `k`, Δλ = -k C / Σ w|∇C|². Otherwise: XPBD
+/// with λ = *multiplier and α̃ = `compliance_over_h2`, Δλ = (-C - α̃ λ) / (Σ w|∇C|² + α̃).
 template <class Real, std::size_t N>
 void project_by_oracle(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
                        Real* multiplier, Real compliance_over_h2, Real reach = anywhere<Real>) {
@@ -229,7 +229,7 @@ template <class Real, class Kind>
 void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                     Real k);
 
-/// Projects all constraints of a batch once, in the order of their lanes or backwards.
+/// Projects all constraints of a batch once, in the order of the lanes or backwards.
 template <class Real>
 void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards = false);

@@ -35,7 +35,7 @@ double size_of(std::span<const double> corners) {
   return std::sqrt(square);
 }
 
-// The values and gradients of a group's elements at the positions of their vertices.
+// The values and gradients of a group of elements at the present positions.
 struct Evaluated {
   std::vector<double> corners, values, gradients;
 
@@ -64,7 +64,7 @@ struct Evaluated {
   }
 
  private:
-  // An energy U is ½ C² with C = √(2 U). At the minimum of U the gradient has no direction.
+  // Replaces an energy U by C = √(2 U), so that U = ½ C². At the minimum of U the gradient has no direction.
   void as_constraints() {
     for (std::size_t i = 0; i < values.size(); ++i) {
       values[i] = values[i] > 0 ? std::sqrt(2 * values[i]) : std::nan("");
@@ -73,7 +73,7 @@ struct Evaluated {
   }
 };
 
-// Σ w|∇C|², or 0 if the element cannot act (see least_lever).
+// Σ w|∇C|², or 0 if the gradient is not finite or only a rounding error (see least_lever).
 double weighted_square(const Evaluated& group, std::size_t i, std::span<const double> inverse_mass) {
   double sum = 0, whole = 0, most = 0;
   for (std::size_t corner = 0; corner < inverse_mass.size(); ++corner) {
@@ -96,7 +96,7 @@ OwnValues evaluate(const OwnElements& list, const Positions& positions) {
 }
 
 std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions) {
-  constexpr double relative_step = 1e-6;  // of an element's size; the square of the step is rounding
+  constexpr double relative_step = 1e-6;  // of an element's size; the step's square is as small as rounding
   const std::vector<int> all = all_of(list);
   const std::vector<double> corners = corners_of(list, positions);
   const std::size_t width = 3 * list.arity;
@@ -139,7 +139,8 @@ template <class Real>
 OwnBatch<Real> make_own_batch(OwnElements list, BatchOrder order) {
   OwnBatch<Real> batch;
   batch.count = list.size();
-  // Elements of a colour that share no vertex are evaluated together, all other elements one after another.
+  // If no elements of a colour share a vertex, evaluate() takes the whole colour at once, otherwise one
+  // element.
   const auto add = [&](std::size_t first_stack, std::size_t last_stack) {
     std::vector<int> group;
     for (std::size_t stack = first_stack; stack < last_stack; ++stack)

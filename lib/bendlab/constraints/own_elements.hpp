@@ -1,6 +1,6 @@
-// Own elements: a model of the program provides the function that evaluates them, many elements at once. Own
-// elements need no new kind, may have any number of vertices, and may state an energy instead of a
-// constraint. The kinds of kinds.hpp have kernels and are 10 to 100 times faster.
+// Own elements: elements that a model of the program defines by a function, which evaluates many elements at
+// once. Own elements need no new kind, may have any number of vertices, and may have an energy instead of a
+// constraint. The kinds of kinds.hpp have kernels and are 10 to 100 times faster than own elements.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace bendlab {
 
-/// A constraint C, whose energy is ½ C² / α, or an energy U, which counts as U / α. It must not depend on
-/// where the element is, because single precision passes positions relative to another origin.
+/// A constraint C with the energy ½ C² / α, or an energy U that is divided by α. C and U must not change if
+/// the element is translated, because single precision passes positions relative to another origin.
 class ElementFunction {
  public:
   virtual ~ElementFunction() = default;
@@ -22,8 +22,7 @@ class ElementFunction {
   virtual bool is_energy() const { return false; }
   /// Computes C (or U) and its gradient for the elements `which`, whose corners are `corners`, #which by
   /// arity by 3, m. Fills `values`, #which, and `gradients`, in the shape of `corners`. An element whose
-  /// value is not finite does not act (it has collapsed). May throw; the step that calls evaluate() then
-  /// throws the same exception.
+  /// value is not finite counts as collapsed and does not act. The step forwards exceptions.
   virtual void evaluate(std::span<const int> which, std::span<const double> corners, std::span<double> values,
                         std::span<double> gradients) const = 0;
 };
@@ -44,20 +43,19 @@ struct OwnValues {
 };
 OwnValues evaluate(const OwnElements& list, const Positions& positions);
 
-/// Second derivatives of C (or U) by central differences of the gradient, made symmetric: #C matrices, 3
-/// arity by 3 arity.
+/// Second derivatives of C (or U) by central differences: #C symmetric matrices, 3 arity by 3 arity.
 std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions);
 
 /// Elastic energy in J times the scene's compliance.
 double elastic_energy(const OwnElements& list, const Positions& positions);
 
-/// Own elements as the solver projects them. Vertices are permuted.
+/// Own elements in the order in which the solver projects them. Vertices are permuted.
 template <class Real>
 struct OwnBatch {
   OwnElements list;
   BatchOrder order;
-  std::vector<std::vector<int>> groups;  ///< elements that are projected together, group after group
-  std::vector<double> multiplier;        ///< λ, #C, XPBD only, else empty
+  std::vector<std::vector<int>> groups;  ///< elements that evaluate() takes at once, in order
+  std::vector<double> multiplier;        ///< λ, #C; empty without XPBD
   StiffnessKind kind = StiffnessKind::k;
   double k = 1;           ///< fraction per projection
   double compliance = 0;  ///< α is this times the softness

@@ -1,7 +1,7 @@
-// Packs: arithmetic on as many constraints at once as the machine's registers hold, one per lane. Packs are
-// vector types of the compiler (GCC, Clang), so that one source compiles for 128, 256 and 512 bits. Points
-// are loaded whole and transposed, which was measured to be faster than element-wise loads and hardware
-// gathers:
+// Packs: vector registers, for arithmetic on several constraints at once. A lane is an entry of a pack and
+// holds one constraint. Packs are vector types of the compiler (GCC, Clang), so that one source compiles for
+// 128, 256 and 512 bits. Each point is loaded in one piece, and then points are transposed. Measurements show
+// that this way is faster than loads of single numbers and than gather instructions:
 //
 //   point of lane 0:  x y z w | of lane 4: …               x x x x | …   lanes 0, 1, 2, 3 | 4, 5, 6, 7 | …
 //            lane 1:  x y z w | of lane 5: …   transposed  y y y y | …
@@ -31,8 +31,7 @@ inline constexpr int pack_bytes = 32;
 inline constexpr int pack_bytes = 16;
 #endif
 
-/// Lanes of a pack: 16, 8 or 4 floats; 8 or 4 doubles (a multiple of 4, because points are transposed by
-/// fours).
+/// Number of lanes of a pack: 16, 8 or 4 floats, 8 or 4 doubles. Four points are transposed at a time.
 template <class Real>
 inline constexpr int lanes = pack_bytes / static_cast<int>(sizeof(Real)) < 4
                                  ? 4
@@ -62,8 +61,7 @@ BENDLAB_INLINE void store(Real* to, const Pack<Real>& pack) {
   std::memcpy(to, &pack, sizeof(pack));
 }
 
-// Uses the masked form, because with the plain form GCC 12 warns of an uninitialised register in its own
-// header.
+// With a mask, because without a mask GCC 12 warns of an uninitialised register in its own header.
 BENDLAB_INLINE Pack<float> square_root(const Pack<float>& pack) {
 #if defined(__AVX512F__)
   return (Pack<float>)_mm512_maskz_sqrt_ps(0xffff, (__m512)pack);
@@ -84,9 +82,9 @@ BENDLAB_INLINE Pack<double> square_root(const Pack<double>& pack) {
 #endif
 }
 
-/// 1 / √x of positive, normal x, within two units in the last place. An approximation of 14 bits and Newton
-/// steps, each of which doubles the bits, take a fraction of the time of a root and a quotient. Scaling x by
-/// a power of four scales the result exactly.
+/// 1 / √x of positive, normal x, within two units in the last place. The first guess has 14 correct bits, and
+/// each Newton step doubles this number. The guess and the steps take a fraction of the time of a square root
+/// and a division. Multiplying x by a power of 4 changes only the exponent of the result.
 BENDLAB_INLINE Pack<float> inverse_square_root(const Pack<float>& x) {
 #if defined(__AVX512F__)
   const Pack<float> guess = (Pack<float>)_mm512_maskz_rsqrt14_ps(0xffff, (__m512)x);
@@ -109,7 +107,7 @@ BENDLAB_INLINE Pack<double> inverse_square_root(const Pack<double>& x) {
 template <class Real>
 using PackMask = decltype(Pack<Real>{} < Pack<Real>{});
 
-/// Whether a lane of a comparison is true.
+/// Whether any lane of a comparison is true.
 template <class Mask>
 BENDLAB_INLINE bool any(const Mask& mask) {
 #if defined(__AVX512F__)
@@ -170,7 +168,7 @@ struct PackPoints {
 
 namespace detail {
 
-// In each block of four lanes, lane l gets first[i_l], or second[i_l - 4] if i_l is at least 4.
+// Lane l of each block of four lanes becomes first[i_l] if i_l < 4, and second[i_l - 4] otherwise.
 template <int i0, int i1, int i2, int i3, class P, int... lane>
 BENDLAB_INLINE P blend(const P& first, const P& second, std::integer_sequence<int, lane...>) {
   constexpr int width = static_cast<int>(sizeof...(lane));
@@ -185,7 +183,7 @@ BENDLAB_INLINE Pack<Real> blend(const Pack<Real>& first, const Pack<Real>& secon
   return blend<i0, i1, i2, i3>(first, second, std::make_integer_sequence<int, lanes<Real>>{});
 }
 
-// Transposes each block of 4 × 4; its own inverse.
+// Transposes each block of 4 × 4 numbers.
 template <class Real>
 BENDLAB_INLINE void transpose(Pack<Real>& a, Pack<Real>& b, Pack<Real>& c, Pack<Real>& d) {
   const Pack<Real> ab_low = blend<0, 4, 1, 5, Real>(a, b), ab_high = blend<2, 6, 3, 7, Real>(a, b);
@@ -207,10 +205,10 @@ BENDLAB_INLINE auto concatenated(const First& first, const Second& second,
   return __builtin_shufflevector(first, second, lane...);
 }
 
-// Points at offsets[0], offsets[4], offsets[8], … side by side in one pack. They are joined in registers: if
-// they were assembled in memory, the wide load would wait for the narrow stores before it. Inserting from
-// memory is a blend, which either vector port can do. The shuffles that GCC makes of a concatenation all go
-// through one port, and that port limits these kernels.
+// Points at offsets[0], offsets[4], offsets[8], … side by side in one pack. The points are joined in
+// registers, because a pack joined in memory could be loaded only after all stores of its points. To insert a
+// point from memory is a blend, for which the processor has two vector ports. GCC compiles a concatenation to
+// shuffles, for which the processor has only one port, and this port limits the speed of the kernels.
 template <class Real>
 BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* offsets) {
   if constexpr (lanes<Real> == 4) {
@@ -234,9 +232,9 @@ BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* of
   }
 }
 
-// The inverse of rows_by_fours(). Storing a quarter of a 512-bit register takes a shuffle, storing half of a
-// 256-bit register does not. So the upper half is moved down once; the asm keeps GCC from merging that with
-// the extraction of quarters.
+// The inverse of rows_by_fours(). To store a quarter of a 512-bit register takes a shuffle; to store half of
+// a 256-bit register takes no shuffle. So the upper half is copied to a 256-bit register first. The asm
+// prevents GCC from merging this copy with the extraction of quarters.
 template <class Real>
 BENDLAB_INLINE void store_rows_by_fours(Point<Real>* points, const int* offsets, const Pack<Real>& row) {
   constexpr std::make_integer_sequence<int, 4> quad{};
@@ -267,7 +265,7 @@ BENDLAB_INLINE PackPoints<Real> gather(const Point<Real>* points, const int* off
   return {{row[0], row[1], row[2]}, row[3]};
 }
 
-/// Writes packs back to the points at `offsets[0 .. lanes)`, which must all differ.
+/// Writes packs to the points at `offsets[0 .. lanes)`. All offsets must differ.
 template <class Real>
 BENDLAB_INLINE void scatter(Point<Real>* points, const int* offsets, const PackPoints<Real>& packs) {
   Pack<Real> row[4] = {packs.position.x, packs.position.y, packs.position.z, packs.w};
@@ -277,7 +275,7 @@ BENDLAB_INLINE void scatter(Point<Real>* points, const int* offsets, const PackP
 
 namespace detail {
 
-// The lanes that hold an inverse mass before points are transposed: every fourth.
+// The lanes that hold an inverse mass before points are transposed: every fourth lane.
 template <class Real>
 BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
   PackMask<Real> mask{};
@@ -285,7 +283,7 @@ BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
   return mask;
 }
 
-// The moves of the points of split places, in rows before they are transposed.
+// The moves of points if places are split, in rows that are not transposed yet.
 template <class Real>
 struct MovedRows {
   Pack<Real> row[4];
@@ -298,12 +296,12 @@ BENDLAB_INLINE MovedRows<Real> moved_rows(const Places<Real>& places, const int*
   return moved;
 }
 
-// The bases of one point per lane; other points are computed relative to them.
+// The base of one point per lane, from which the positions of other points are measured.
 template <class Real>
 struct BaseRows {
   Pack<Real> row[4];  // positions, 0 in the lanes of inverse masses
 
-  // base + moved, minus this base. The difference of bases comes first, because it is exact.
+  // base + moved - row. The difference base - row is computed first, because it is exact.
   BENDLAB_INLINE PackPoints<Real> relative(const Places<Real>& places, const int* offsets,
                                            const MovedRows<Real>& moved) const {
     Pack<Real> sum[4];
@@ -311,7 +309,7 @@ struct BaseRows {
     transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
     return {{sum[0], sum[1], sum[2]}, sum[3]};
   }
-  // The base alone, minus this base.
+  // base - row.
   BENDLAB_INLINE PackPoints<Real> relative_base(const Places<Real>& places, const int* offsets) const {
     Pack<Real> difference[4];
     for (int r = 0; r < 4; ++r) difference[r] = rows_by_fours(places.base, offsets + r) - row[r];
@@ -320,7 +318,7 @@ struct BaseRows {
   }
 };
 
-// The bases at `offsets`, and the points there relative to their own base: their moves and inverse masses.
+// The bases at `offsets`. Sets `relative` to the moves and inverse masses of the points at `offsets`.
 template <class Real>
 BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* offsets,
                                         const MovedRows<Real>& moved, PackPoints<Real>& relative) {
@@ -337,7 +335,7 @@ BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* o
   return base;
 }
 
-// Writes moved rows back plus `change` for each point; the points must all differ.
+// Writes `moved` plus `change` for each point. All offsets must differ.
 template <class Real>
 BENDLAB_INLINE void scatter_moved(const Places<Real>& places, const int* offsets,
                                   const MovedRows<Real>& moved, const PackVector<Real>& change) {

@@ -1,6 +1,6 @@
-// Trigonometry on packs, to two or three units in the last place: polynomials through the Chebyshev nodes of
-// their range, with a relative error below 2·10⁻⁸ (float) and 4·10⁻¹⁷ (double), and Taylor's series of Bessel
-// functions.
+// Trigonometric functions of packs, with an error of two or three units in the last place. The functions are
+// polynomials through the Chebyshev nodes of their range, with a relative error below 2·10⁻⁸ (float) and
+// 4·10⁻¹⁷ (double). Bessel functions are sums of Taylor series.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ inline constexpr auto sine_series = [] {  // sin(√z) / √z on [0, (π/2)²]
                       1.605894087848655993e-10,  -7.643026557971632663e-13, 2.721574942298344283e-15};
 }();
 
-// j1(√z) / √z = Σ (-1)ⁿ 2 (n + 1) zⁿ / (2n + 3)!, and j2(√z) / z = -2 times its derivative, for z up to π².
+// For z up to π²: j1(√z) / √z = S = Σ (-1)ⁿ 2 (n + 1) zⁿ / (2n + 3)!, and j2(√z) / z = -2 dS/dz.
 template <class Real, bool second>
 inline constexpr auto bessel_series = [] {
   std::array<Real, sizeof(Real) == 4 ? 8 : 13> series{};
@@ -59,14 +59,14 @@ BENDLAB_INLINE Pack<Real> with_sign_of(const Pack<Real>& magnitude, const Pack<R
 
 }  // namespace detail
 
-/// The angle of (x, y) in [-π, π]; 0 if both are 0. -0 counts as 0.
+/// The angle of (x, y) in [-π, π]; 0 if x = y = 0. -0 counts as 0.
 template <class Real>
 BENDLAB_INLINE Pack<Real> arc_tangent(const Pack<Real>& y, const Pack<Real>& x) {
   using P = Pack<Real>;
   const P zero{}, ax = x < zero ? -x : x, ay = y < zero ? -y : y;
   const auto steep = ay > ax;
   const P high = steep ? ay : ax, low = steep ? ax : ay;
-  // Beyond π/8: atan(t) = π/4 + atan((t - 1) / (t + 1)).
+  // For angles above π/8: atan(t) = π/4 + atan((t - 1) / (t + 1)).
   const auto beyond = low > Real(0.4142135623730950488) * high;
   const P top = beyond ? low - high : low, bottom = beyond ? low + high : high;
   const P t = top / (bottom > zero ? bottom : broadcast<Real>(1));
@@ -85,8 +85,8 @@ BENDLAB_INLINE Pack<Real> sine(const Pack<Real>& x) {
 }
 
 /// Spherical Bessel functions j1(√z) / √z and j2(√z) / z for z in [0, π²]. The absolute error is two or three
-/// units in the last place of their values 1/3 and 1/15 at 0. With y = √z the first is (sinc y - cos y) / y²,
-/// and sinc y = 3 j1(y) / y - j2(y).
+/// units in the last place of the values at 0, which are 1/3 and 1/15. With y = √z: j1(y) / y = (sinc y - cos
+/// y) / y², and sinc y = 3 j1(y) / y - j2(y).
 template <class Real>
 BENDLAB_INLINE Pack<Real> bessel_1(const Pack<Real>& z) {
   return detail::polynomial(detail::bessel_series<Real, false>, z);

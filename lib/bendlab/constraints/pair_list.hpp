@@ -1,14 +1,14 @@
-// A list of vertex pairs in half the memory of two numbers per pair, because there may be a hundred million
-// pairs.
+// A list of vertex pairs in half the memory of two numbers per pair. Scenes may have a hundred million pairs.
 //
-// Models list all springs of one vertex, then all springs of the next. So the list consists of sections of
-// pairs with the same first vertex, and this vertex is stored once per section:
+// Models list all springs of one vertex, then all springs of the next vertex. So the list consists of
+// sections, whose pairs have the same first vertex. The first vertex is stored once per section:
 //
 //   pairs    (3,7) (3,8) (3,12) (4,8) (4,9) …
 //   second     7     8     12     8     9   …
 //   sections   3 from pair 0,     4 from pair 3, …
 //
-// Any list can be stored. If neighbouring pairs have different first vertices, a pair takes 12 bytes.
+// The list can have any other order, too. A pair takes 12 bytes if the next pair has a different first
+// vertex.
 #pragma once
 
 #include <array>
@@ -35,13 +35,13 @@ class PairList {
   value_type operator[](std::size_t index) const { return {first(index), second_[index]}; }
   int first(std::size_t index) const;
   int second(std::size_t index) const { return second_[index]; }
-  /// Whether first vertices never decrease along the list.
+  /// Whether the first vertices are in ascending order; equal neighbours are allowed.
   bool ascends() const;
 
   bool operator==(const PairList&) const = default;
   std::size_t memory_bytes() const;
 
-  /// Goes through the pairs. A pair is made when it is read, so there are no references to pairs.
+  /// Goes through the pairs. operator* returns a copy of a pair, because the list stores no pairs.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -66,10 +66,10 @@ class PairList {
  private:
   struct Section {
     int vertex;
-    int begin;  // its first pair
+    int begin;  // index of the first pair
     bool operator==(const Section&) const = default;
   };
-  // The section of a pair is among the few sections of its block.
+  // Number of pairs of a block. first() searches the section of a pair only among the sections of its block.
   static constexpr std::size_t block = 64;
 
   std::vector<int> second_;
@@ -82,7 +82,7 @@ inline int PairList::first(std::size_t index) const {
   auto low = static_cast<std::size_t>(section_of_block_[at]);
   std::size_t high = at + 1 < section_of_block_.size() ? static_cast<std::size_t>(section_of_block_[at + 1])
                                                        : sections_.size() - 1;
-  while (low < high) {  // the last of these sections that begins at the pair or before it
+  while (low < high) {  // search the last section that begins at or before `index`
     const std::size_t middle = (low + high + 1) / 2;
     if (static_cast<std::size_t>(sections_[middle].begin) <= index)
       low = middle;

@@ -1,4 +1,5 @@
-// A vertex as four numbers: position and inverse mass, one load of 128 bits (float) or 256 bits (double).
+// A vertex as four numbers: position and inverse mass. One load takes all 128 bits (float) or 256 bits
+// (double).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,13 +23,13 @@ struct alignas(4 * sizeof(Real)) Point {
 template <class Real>
 using Points = LargeArray<Point<Real>>;
 
-/// The positions that projections change: `moved` if `base` is null, else base + moved (split places). Split
-/// places have their inverse masses in `base`, and 0 in moved.w.
+/// The positions that projections change: `moved` if `base` is null. If `base` is not null, the places are
+/// split: the positions are base + moved, the inverse masses are in base.w, and moved.w is 0.
 ///
-/// Single precision needs the sum: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps in
-/// 1/60 s, far below the last digit of a position near 1 m. Constraints depend on differences. The difference
-/// of two neighbours' bases is exact to the last digit of an edge, not of a position, and `moved`, which a
-/// substep adds to it, keeps its own digits.
+/// Single precision needs split places. With 4096 substeps in 1/60 s, gravity moves a vertex by g h² = 10⁻¹⁰
+/// m in a substep, far below the last digit of a position near 1 m. Constraints depend on differences of
+/// positions. The rounding error of the difference of two neighbours' bases is that of an edge's length,
+/// which is smaller than that of a position. `moved` is small and has digits of its own.
 template <class Real>
 struct Places {
   const Point<Real>* base = nullptr;
@@ -38,12 +39,12 @@ struct Places {
   Places(const Point<Real>* at, Point<Real>* displacements) : base(at), moved(displacements) {}
 };
 
-/// For a function parameter from which Real is not deduced, so that an array of points converts to it.
+/// For a function parameter from which Real is not deduced, so that an array of points converts to Places.
 template <class Real>
 using PlacesOf = std::type_identity_t<Places<Real>>;
 
-/// The index of a vertex's first number in an array of points. Batches store it instead of the vertex: a
-/// processor scales an address by 4 or 8 for free, but not by the size of a point.
+/// The index of a vertex's first number in an array of points. Batches store this index instead of the
+/// vertex, because a processor multiplies an index by 4 or 8 at no cost, but not by the size of a point.
 constexpr int offset_of(int vertex) {
   return 4 * vertex;
 }

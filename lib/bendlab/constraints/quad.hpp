@@ -1,4 +1,5 @@
-// A point's four numbers as a vector type of the compiler (GCC, Clang), which is the same on every processor.
+// The four numbers of a point as a vector type of the compiler (GCC, Clang): the same code for all
+// processors.
 #pragma once
 
 #include <cstring>

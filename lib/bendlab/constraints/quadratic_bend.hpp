@@ -1,6 +1,6 @@
-// Curvature at an edge that two triangles share, as a fixed linear combination of the four corners
-// (Bergou et al. 2006): Kx = Σ K_i p_i with the cotangents of the rest shape. Kx = 0 in every flat state, and
-// |Kx| = 2 |e| sin(θ/2) while the triangles keep their shape.
+// Curvature at an edge that two triangles share, as a linear combination of the four corners (Bergou et al.
+// 2006): Kx = Σ K_i p_i, where the K_i follow from cotangents in the rest shape. Kx = 0 in every flat state.
+// If the triangles keep their shape, |Kx| = 2 |e| sin(θ/2), where e is the edge and θ the fold angle.
 #pragma once
 
 #include <string_view>
@@ -16,7 +16,7 @@ struct QuadraticBend {
   /// K_0 … K_3, |Kx| of the rest shape in m, rest length of the edge in m.
   static constexpr std::size_t rest_values = 6;
 
-  /// Size at rest, m (see largest_move).
+  /// Size at rest, m, by which largest_move bounds the moves of corners.
   template <class Real>
   static Real rest_size(const std::array<Real, 6>& rest) {
     return rest[5];

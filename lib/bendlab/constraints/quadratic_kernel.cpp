@@ -1,4 +1,4 @@
-// What lies in a lane: one hinge of QuadraticBend (quadratic_bend.hpp has the oracle).
+// A lane (an entry of a vector register) holds one hinge. Scalar code (the oracle) is in quadratic_bend.hpp.
 //
 //       p2            p[0] … p[3]         its corners: packs of x, y, z and of w = 1/m
 //      /  \           rest[0] … rest[3]   K_0 … K_3

@@ -21,12 +21,11 @@ template <class Real>
 struct Contact {
   std::size_t vertex;       ///< permuted: its index in State's arrays
   Vector3Of<Real> normal;   ///< unit, out of the obstacle
-  Real depth;               ///< m, how far it was pushed along the normal
-  Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
+  Real depth;               ///< m, how far the vertex was pushed along the normal
+  Vector3Of<Real> carried;  ///< m, how far the surface moves at the vertex in this substep
 };
 
-/// Adds to `sum` and returns the error of the rounded sum (Knuth 1969, theorem 4.2.2 B). For a number or a
-/// vector of numbers.
+/// Adds a number or a vector of numbers to `sum`. Returns the rounding error (Knuth 1969, theorem 4.2.2 B).
 template <class Number>
 BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
   const Number before = sum;
@@ -35,8 +34,9 @@ BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
   return (before - (sum - done)) + (change - done);
 }
 
-/// Positions and velocities of a cloth. Coordinates are relative to `origin`, so that float keeps its digits.
-/// The point arrays hold #V points, in the order of the permutation, and then the dummies for padded lanes.
+/// Positions and velocities of a cloth. Coordinates are relative to `origin`, so that they are more accurate
+/// in single precision. The arrays of points have #V points in the order of the permutation, followed by the
+/// dummy points for padded lanes (batches.hpp).
 template <class Real>
 struct State {
   int vertex_count = 0;
@@ -44,11 +44,11 @@ struct State {
   Points<Real> previous;  ///< positions at the start of the substep
   Points<Real> velocity;  ///< m/s
   /// The rounding errors of positions (between substeps) and velocities: position + position_remainder is the
-  /// exact position, and likewise for velocities. Empty except in single precision under pbd.
+  /// exact position, and velocity + velocity_remainder the exact velocity. Only for pbd in single precision.
   Points<Real> position_remainder, velocity_remainder;
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /// v += change; with velocity_remainder no digit of a small change is lost.
+  /// v += change. velocity_remainder stores the digits of a small change that v cannot store.
   void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {
     using Quad = typename detail::QuadType<Real>::type;
     const Quad by = {change.x(), change.y(), change.z(), 0};
@@ -62,7 +62,7 @@ struct State {
     detail::store_point<Real>(velocity[vertex], v);
   }
 
-  /// The contacts that obstacles found in this iteration; empty unless a listed effect uses contacts.
+  /// The contacts that obstacles found in this iteration; empty if no listed effect uses contacts.
   std::vector<Contact<Real>> contacts;
 };
 
@@ -98,8 +98,8 @@ struct PassContext {
   std::uint64_t acted = 0;  ///< a pass adds the number of its changes (vertices, pairs …)
 };
 
-/// Where in a substep an effect's pass is. Constraints are projected between `damp` and `velocity`, together
-/// with the passes of `project`.
+/// When in a substep a pass of an effect runs. Constraints are projected between `predicted` and `velocity`,
+/// in turn with the passes of `project`.
 enum class Stage {
   force,      ///< before prediction: v += h a
   damp,       ///< before prediction, on the velocities after `force`
@@ -118,14 +118,14 @@ struct Pass {
   std::string name;
   Stage stage = Stage::force;
   std::function<void(PassContext<Real>&)> run;
-  /// For a pass that keeps data from one substep to the next: writes or reads these data. It is enough if one
-  /// pass of an effect has this function.
+  /// For a pass that keeps data from one substep to the next: writes or reads these data. If an effect has
+  /// several passes, only one pass needs this function.
   std::function<void(Archive&)> archive;
   /// For a pass that only slows vertices, m v' = -drag v: the drag in kg/s, #V, permuted. An implicit step
-  /// takes the drag into its equations and does not run the pass.
+  /// solves its equations with this drag and does not run the pass.
   std::vector<double> drag;
-  /// For Coulomb friction where obstacles push: an implicit step takes the friction into its equations in the
-  /// same way.
+  /// For a pass of Coulomb friction on obstacles: an implicit step solves its equations with these
+  /// coefficients and does not run the pass.
   std::optional<FrictionCoefficients> friction;
 };
 

@@ -1,4 +1,4 @@
-// The meanings of a stiffness number.
+// What the number that states a stiffness means.
 #pragma once
 
 #include <array>
@@ -14,8 +14,7 @@ enum class StiffnessKind {
 };
 inline constexpr std::array<std::string_view, 3> stiffness_kind_names = {"k", "k_per_step", "compliance"};
 
-/// The fraction of C that one projection removes. With k_per_step, an isolated constraint keeps 1 - k of C
-/// after `projections` projections.
+/// The fraction of C that one projection removes. With k_per_step, `projections` of them leave 1 - k of C.
 inline double k_of_projection(StiffnessKind kind, double k, int projections) {
   return kind == StiffnessKind::k_per_step ? 1 - std::pow(1 - k, 1.0 / projections) : k;
 }

@@ -1,12 +1,14 @@
-// What lies in a lane: one triangle, with the λ of its four terms.
+// A lane (an entry of a vector register) holds one triangle, with the multipliers λ of its four terms.
 //
 //     c         lane        0      1      2    …     lanes<Real> of a group at a time
 //    / \        a, b, c     v      v      v          Corners: packs of x, y, z and of w = 1/m
 //   /   \       Q⁻¹         q      q      q          RestInverse: q00, q01, q10, q11, 1/m
 //  a-----b      λ           λ      λ      λ          multipliers[4]: warp, weft, shear, area (XPBD)
 //
-// The four terms are projected one after another while the triangle stays in registers (strain_terms.hpp).
-// The oracle (scalar code): stretch_constraint(), shear_constraint() and area_constraint() in oracle.hpp.
+// The four terms (strain_terms.hpp) are projected one after another, while the triangle stays in registers. A
+// careful projection opens collapsed triangles and bounds the moves of corners. A careful projection is slow,
+// so only the packs that need it are projected carefully. The oracle (scalar code): stretch_constraint(),
+// shear_constraint() and area_constraint() in oracle.hpp.
 #include <array>
 #include <type_traits>
 
@@ -16,8 +18,8 @@
 namespace bendlab {
 namespace {
 
-// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if the rest shape has
-// no direction either.
+// In lanes whose gradient has no direction, uses the gradient of the triangle's rest shape. If the rest shape
+// has no direction either, the gradient is 0.
 template <class Real, StrainForm form, bool split, class TermOf, class Gradient>
 BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const TermOf& of,
                                            const Corners<Real, split>& t, const StrainBatch<Real>& batch,
@@ -48,18 +50,17 @@ struct TriangleLanes {
   Pack<Real> alpha, stretch_alpha;                        // XPBD: α̃
   std::array<Pack<Real>, 4> multipliers{};                // XPBD: λ
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are defined
-  // Least Σ w|∇C|² / Σ|∇C|² of a gradient that is not just rounding (see least_lever).
+  // If Σ w|∇C|² / Σ|∇C|² is smaller, the gradient is only a rounding error (see least_lever).
   Pack<Real> least_weight;
   Pack<Real> way{};  // over all terms so far: no corner moved farther than √(way · largest w)
-  // As `way`, but each term is divided by the square of the sizes that it may move a corner by.
+  // Like `way`, but each term is divided by the square of the number of sizes by which it may move a corner.
   Pack<Real> allowed_way{};
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
-  // One projection of one term: PBD with the fraction k, or XPBD with a = α̃. `careful`: collapsed lanes take
-  // the gradient of their rest shape, and moves are bounded. Otherwise `defined`, `way` and `allowed_way`
-  // record whether a careful projection is needed.
+  // One projection of one term: PBD with the fraction k, or XPBD with a = α̃. If the projection is not
+  // `careful`, `defined`, `way` and `allowed_way` record whether a careful projection is needed.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
   BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
@@ -89,7 +90,7 @@ struct TriangleLanes {
       const Pack<Real> share = too_far ? square_root(most / (too_far ? farthest : one)) : one;
       change = change * share, step = step * share;
     } else {
-      // In this order, because the square of a small change alone may be subnormal, which is slow.
+      // Multiplied in this order, because change * change may be subnormal, which is slow.
       const Pack<Real> squared = change * weighted * change;
       way = larger<Real>(way, squared);
       allowed_way = larger<Real>(allowed_way, squared * (Real(1) / Real(most_sizes * most_sizes)));
@@ -98,7 +99,7 @@ struct TriangleLanes {
     term.gradient.add(t, change, t);
   }
 
-  // The square of the size at rest: exact for two equal sides at a right angle, else an underestimate.
+  // The square of the size at rest. Exact for two equal sides at a right angle, otherwise too small.
   BENDLAB_INLINE Pack<Real> rest_size_squared() const { return 2 / squared_inverses(); }
   BENDLAB_INLINE Pack<Real> squared_inverses() const {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
@@ -110,8 +111,8 @@ struct TriangleLanes {
     return any(~defined | (allowed_way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
   }
 
-  // Whether a corner may have moved farther than its triangle's size at rest. Then a term that collapsed
-  // before the first projection needs care, too, even if that projection opened it.
+  // Whether a corner may have moved farther than its triangle's size at rest. If a term had collapsed before
+  // such a move, the projection is also repeated carefully.
   template <bool split>
   BENDLAB_INLINE bool moved_far(const Corners<Real, split>& t) const {
     return any(way * t.largest_w() * squared_inverses() > broadcast<Real>(2));
@@ -152,14 +153,14 @@ BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places,
   return t;
 }
 
-// Projects a pack of triangles. Returns false and changes nothing if they have to be projected carefully.
+// Projects a pack of triangles. Returns false and changes nothing if a careful projection is needed.
 template <class Real, StrainForm form, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& batch, std::size_t lane,
                                  Real twice_compliance_over_h2) {
   const std::size_t count = batch.a.size();
   Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
-  // α̃ = compliance / (A0 h²) with A0 = 1 / (2 |det Q⁻¹|). For S_ii - 1 = 2 E_ii it is four times as large.
+  // α̃ = compliance / (A0 h²) with A0 = 1 / (2 |det Q⁻¹|), and four times as large for S_ii - 1 = 2 E_ii.
   if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
@@ -181,7 +182,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   return true;
 }
 
-// A separate function, so that the rare case takes no registers from the usual case.
+// A separate function, so that this rare case takes no registers from project_pack().
 template <class Real, StrainForm form, bool compliant, bool split>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, StrainBatch<Real>& batch,
                                          std::size_t lane, Real twice_compliance_over_h2) {
@@ -211,7 +212,7 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, T
   term.gradient.add(velocity, acts ? -k * term.gradient.rate(velocity) / (acts ? sum : one) : zero, t);
 }
 
-// A mass of 1 in every lane, to add forces, which do not depend on masses.
+// Inverse masses of 1, with which add() adds forces, because forces do not depend on masses.
 template <class Real>
 struct UnitMasses {
   struct {
@@ -268,7 +269,7 @@ void with_form(StrainForm chosen, const Action& action) {
 
 }  // namespace
 
-// No two triangles of a stack share a vertex, so the order within a stack does not matter.
+// Ignores `backwards`: no two triangles of a stack share a vertex, so their order does not matter.
 template <class Real>
 void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {

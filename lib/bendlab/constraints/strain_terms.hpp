@@ -1,6 +1,6 @@
 // The terms of a triangle that the strain kernel projects (stretch, shear, area): values and gradients for
-// the lanes of a pack. Only strain_kernel.cpp includes this header. Its code is in an unnamed namespace,
-// because GCC allots registers differently to templates that other sources may share.
+// the lanes of a pack. Only strain_kernel.cpp includes this header. The code is in an unnamed namespace,
+// because GCC allocates registers differently for templates that other sources may share.
 #pragma once
 
 #include "bendlab/constraints/elements.hpp"
@@ -14,8 +14,8 @@ namespace {
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
 
-// With split places a, b and c hold the moves of the corners, and first_base and second_base hold the edges
-// of the bases, so that neither loses digits.
+// If places are split (point.hpp), a, b and c are the moves of the corners, and first_base and second_base
+// are the edges between the bases. Moves and edges are stored apart, because their sum would lose digits.
 template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;
@@ -30,7 +30,7 @@ struct Corners {
     return c.position - a.position;
   }
   BENDLAB_INLINE Pack<Real> largest_w() const { return larger<Real>(larger<Real>(a.w, b.w), c.w); }
-  // The square of the longest edge, or `at_rest` if that is larger.
+  // The square of the longest edge, or `at_rest` if `at_rest` is larger.
   BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const {
     const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
     return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));
@@ -69,15 +69,15 @@ struct PerTriangle {
     return t.a.w * a + t.b.w * b + t.c.w * c;
   }
   BENDLAB_INLINE Pack<Real> sum() const { return a + b + c; }
-  // max w²|∇C|²: the squared move of the corner that moves farthest, per multiplier.
+  // max w²|∇C|²: the squared move of the corner that moves farthest, for a change of the multiplier by 1.
   template <class Triangle>
   BENDLAB_INLINE Pack<Real> farthest(const Triangle& t) const {
     return larger<Real>(larger<Real>(t.a.w * t.a.w * a, t.b.w * t.b.w * b), t.c.w * t.c.w * c);
   }
 };
 
-// A gradient has one of two forms: one direction with a factor per corner (stretch), or a vector per corner
-// (shear, area).
+// The gradient of stretch has one direction, and a factor per corner. PerCorner (shear, area) has three
+// vectors.
 template <class Real>
 struct Scaled {
   PackVector<Real> direction;
@@ -117,7 +117,7 @@ struct PerCorner {
 };
 
 // One term as C = ratio · scale and ∇C = scale · gradient. PBD's correction C / Σ w|∇C|² ∇C is then ratio / Σ
-// w|gradient|² gradient: without the scale, which saves most square roots and divisions. `defined` is a lane
+// w|gradient|² gradient. The scale cancels, which saves most square roots and divisions. `defined` is a lane
 // mask.
 template <class Real, class Gradient>
 struct Term {
@@ -137,7 +137,7 @@ BENDLAB_INLINE PerCorner<Real> select(const PackMask<Real>& mask, const PerCorne
   return {select(mask, a.gb, b.gb), select(mask, a.gc, b.gc)};
 }
 
-// The lanes in which a square is neither collapsed nor overgrown.
+// The lanes in which a squared ratio to the rest value is neither collapsed nor overgrown (tolerances.hpp).
 template <class Real>
 BENDLAB_INLINE PackMask<Real> in_bounds(const Pack<Real>& squared) {
   constexpr Real least = collapsed_ratio<Real> * collapsed_ratio<Real>;
@@ -151,15 +151,15 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, c
   const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
   const auto defined = in_bounds<Real>(squared);
   if constexpr (form != StrainForm::green) {         // C = l - 1, ∇C = f / l
-    const Pack<Real> length = square_root(squared);  // does not wait for the comparison
+    const Pack<Real> length = square_root(squared);  // not of a selected value: need not wait for `defined`
     return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
   } else {
     return {squared - one, one, {f, squared, gb + gb, gc + gc}, defined};
   }
 }
 
-// Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise.
-// Angle: C = atan(f1·f2 / |f1 × f2|), ∇C along the same over |f1 × f2|.
+// Normalised: C = cos = f1·f2 / (l1 l2). ∇C follows from a1 = (f2 - f1·f2 / l1² f1) / (l1 l2), and a2 with f1
+// and f2 exchanged. Angle: C = atan(f1·f2 / |f1 × f2|), with |f1 × f2| in place of l1 l2 in a1 and a2.
 template <class Real, StrainForm form, bool split>
 BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, const RestInverse<Real>& q) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
@@ -190,7 +190,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, 
   }
 }
 
-// C = A / A0 - 1, ∇C along e2 × n and n × e1 with the unnormalised normal.
+// C = A / A0 - 1. The gradients of b and c are parallel to e2 × n and n × e1, where n = e1 × e2 is not a
+// unit.
 template <class Real, bool split>
 BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
                                                 const Pack<Real>& inverse_rest) {
@@ -204,8 +205,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
           defined};
 }
 
-// The lanes in which a term is corrected along the gradient of the rest shape, and the value there (see
-// ConstraintValue).
+// The lanes in which a term is corrected along the gradient of the rest shape, and ConstraintValue::value
+// there.
 template <class Real>
 struct Opening {
   PackMask<Real> lanes;
@@ -231,7 +232,7 @@ struct Stretch {
     const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
     return collapsed<Real>(dot(f, f));
   }
-  // C = f·d - 1, even if another term changed f. d is f at rest and has length 1.
+  // C = f·d - 1, even if an earlier term changed f. d is f in the rest shape and has the length 1.
   template <StrainForm, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>& at_rest) const {
     const PackVector<Real> d = combination<Real>(gb, at_rest.first_edge(), gc, at_rest.second_edge());
@@ -250,7 +251,7 @@ struct Shear {
   BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
     return shear<Real, form, split>(t, q);
   }
-  // For warp and weft that are parallel.
+  // For parallel warp and weft.
   template <StrainForm form, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
     const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();

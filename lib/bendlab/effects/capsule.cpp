@@ -24,8 +24,8 @@ struct Segment {
 constexpr std::array own_fields = {
     field<&Capsule::a>({.name = "a",
                         .unit = "m",
-                        .meaning = "one end of the segment; the spin turns about the direction from a to b"}),
-    field<&Capsule::b>({.name = "b", .unit = "m", .meaning = "the other end"}),
+                        .meaning = "one end of the segment; the axis of the spin points from a to b"}),
+    field<&Capsule::b>({.name = "b", .unit = "m", .meaning = "the other end of the segment"}),
     field<&Capsule::radius>({.name = "radius",
                              .unit = "m",
                              .meaning = "the capsule consists of all points within this distance of the "
@@ -47,7 +47,8 @@ template <class Real>
 std::vector<Pass<Real>> compile(const Capsule& settings, const EffectInput& input) {
   const Vector3 &a = settings.a, &b = settings.b;
   if (!((b - a).norm() > 0))
-    throw std::invalid_argument("a and b are the same point; use a sphere for a capsule without length");
+    throw std::invalid_argument(
+        "a and b are the same point, so the capsule has no length; use a sphere instead");
   return {
       {"capsule", Stage::project,
        obstacle::RoundObstacle<Real, Segment>(settings, input, {a, b}, settings.radius, motion(settings))}};
@@ -67,8 +68,8 @@ constinit const EffectKind Capsule::kind{
     .name = "capsule",
     .summary = "an obstacle: all points within a radius of a segment",
     .source =
-        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
-        "cutting planes",
+        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
+        "(cutting planes)",
     .settings = table_of<Capsule>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,

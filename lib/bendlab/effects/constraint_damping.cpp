@@ -47,8 +47,8 @@ bool idle(const ConstraintDamping& settings) {
 
 constinit const EffectKind ConstraintDamping::kind{
     .name = "constraint_damping",
-    .summary = "damps the rate of change of every constraint; keeps both momenta",
-    .source = "Müller et al. 2014, eq. 23 (identical for equal masses; dissipates energy for any masses)",
+    .summary = "damps the rate of change of every constraint; preserves linear and angular momentum",
+    .source = "Müller et al. 2014, eq. 23; for unequal masses changed so that it dissipates energy",
     .settings = table_of<ConstraintDamping>(fields),
     .needs_projection = true,
     .keeps_momentum = true,

@@ -1,6 +1,6 @@
-// Disc: a round table top. It consists of all points within half its height of a flat disc. The flat disc's
-// radius is smaller than the table top's by half the height. So the profile of the rim is half a circle, and
-// the cloth has no edge to catch on.
+// Disc: a round table top. The table top consists of all points whose distance from a flat disc is at most
+// half the table top's height. So the profile of the rim is half a circle, and the cloth meets no sharp edge.
+// The radius of the flat disc is the radius of the table top minus half the height.
 #include "bendlab/effects/revolved.hpp"
 #include "bendlab/effects/round_obstacle.hpp"
 
@@ -11,7 +11,7 @@ template <class Real>
 struct FlatDisc {
   Vector3Of<Real> centre, axis;
   Real radius;
-  std::array<Vector3Of<Real>, 0> tips{};  // no tips: edges of the cloth meet the rim before triangles do
+  std::array<Vector3Of<Real>, 0> tips{};  // no tips: the cloth's edges meet the rim before its triangles
 
   Vector3Of<Real> nearest(const Vector3Of<Real>& x) const {
     const Vector3Of<Real> arm = x - centre, within = arm - axis.dot(arm) * axis;
@@ -31,7 +31,7 @@ constexpr std::array own_fields = {
                           .unit = "m",
                           .meaning = "centre of the table top, half its height below the surface"}),
     field<&Disc::axis>(
-        {.name = "axis", .unit = "1", .meaning = "axis of the disc and of its spin; any length but zero"}),
+        {.name = "axis", .unit = "1", .meaning = "axis of the disc and of its spin; any length except zero"}),
     field<&Disc::radius>({.name = "radius",
                           .unit = "m",
                           .meaning = "radius of the table top, rim included",
@@ -60,7 +60,8 @@ std::vector<Pass<Real>> compile(const Disc& settings, const EffectInput& input) 
   const double half_height = settings.height / 2;
   if (half_height > settings.radius)
     throw std::invalid_argument(
-        "height is more than twice the radius; use a capsule for a body that is taller than wide");
+        "height is more than twice the radius; reduce height, or use a capsule for a body that is taller "
+        "than wide");
   return {{"disc", Stage::project,
            obstacle::RoundObstacle<Real, FlatDisc>(
                settings, input, {settings.centre, steady.axis, settings.radius - half_height}, half_height,
@@ -82,8 +83,8 @@ constinit const EffectKind Disc::kind{
     .name = "disc",
     .summary = "an obstacle: a round table top with a rounded rim",
     .source =
-        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
-        "cutting planes",
+        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
+        "(cutting planes)",
     .settings = table_of<Disc>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,

@@ -5,7 +5,7 @@
 namespace bendlab {
 namespace {
 
-// A build that leaves effects out names the remaining effects in BENDLAB_EFFECTS.
+// If a build leaves effects out, BENDLAB_EFFECTS lists the remaining effects.
 #ifdef BENDLAB_EFFECTS
 constexpr auto listed = listed_kinds<EffectKind, BENDLAB_EFFECTS>;
 #else

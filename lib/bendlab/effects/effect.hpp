@@ -34,7 +34,7 @@ struct EffectInput {
   }
 };
 
-/// What an obstacle's surface is made from.
+/// Input of EffectKind::surface.
 struct SurfaceInput {
   std::filesystem::path folder;       ///< files are relative to this folder
   const std::string* file = nullptr;  ///< bytes of the obstacle's file; null: the file is read
@@ -63,10 +63,10 @@ struct DoubtInput {
   std::string where;  ///< "/effects/2 (wind)"
 };
 
-/// A warning about settings that will not do what their author intends.
+/// A warning about settings whose result may not be what the user wants.
 struct Doubt {
   std::string text;   ///< the warning, with a remedy
-  double size = 0;    ///< the larger the worse; 0: the doubt has no size
+  double size = 0;    ///< larger is worse; 0: the problem has no size
   std::string shown;  ///< the size in words
 };
 
@@ -81,45 +81,45 @@ struct EffectKind {
   std::string_view source;  ///< paper and equation
   FieldTable settings;
 
-  /// Its passes act on projected constraints or between projections, so only methods that project can use it.
+  /// Passes act on or between projections, so only methods that project can use the effect.
   bool needs_projection = false;
   bool helps_projection = false;    ///< only helps projections: does nothing in methods that do not project
-  bool acts_in_iterations = false;  ///< implicit methods can use it nevertheless, in each iteration
+  bool acts_in_iterations = false;  ///< implicit methods can use the effect, too, in each iteration
   bool uses_contacts = false;       ///< reads State::contacts, at Stage::contact
   bool repeatable = false;          ///< a scene may list it more than once
-  /// Its force depends on velocities. It acts first, wherever the scene lists it, so that it sees the
-  /// velocities at the end of the last substep. After gravity it would see a speed g h of cloth at rest.
+  /// The effect's force depends on velocities. So the effect acts before all other effects, on the velocities
+  /// at the end of the last substep; its place in the scene's list does not matter. After gravity, cloth at
+  /// rest has the speed g h.
   bool acts_first = false;
-  bool needs_pins = false;      ///< does nothing where no vertex is pinned
+  bool needs_pins = false;      ///< does nothing if no vertex is pinned
   bool moves_pins = false;      ///< prescribes where pinned vertices are
   bool keeps_momentum = false;  ///< linear momentum, except for what a uniform acceleration adds
   bool keeps_angular_momentum = false;
-  bool damps = false;               ///< only takes energy from the cloth: does nothing at rest
+  bool damps = false;               ///< only removes energy from the cloth; does nothing at rest
   bool bounds_strain = false;       ///< limits stretch; at rest it may carry loads in place of the membrane
-  bool force_follows_pose = false;  ///< also at rest: an equilibrium cannot be found without it
+  bool force_follows_pose = false;  ///< also at rest: an equilibrium depends on the force
   double vertex_seconds = 3e-9;     ///< approximate CPU time per vertex and substep, s
 
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const void* settings, const EffectInput&) = nullptr;
   std::vector<Pass<double>> (*compile_double)(const void* settings, const EffectInput&) = nullptr;
-  /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null: not
-  /// known.
+  /// Whether the effect provably changes nothing with these settings, for any motion; null: not known.
   bool (*idle)(const void* settings) = nullptr;
-  /// Whether the effect does work on the cloth, apart from a uniform acceleration; null: it never does, or
-  /// only because it is an obstacle that moves.
+  /// Whether the effect does work on the cloth, apart from a uniform acceleration; null: the effect does no
+  /// work, or is an obstacle that works only by moving.
   bool (*drives)(const void* settings) = nullptr;
   /// The uniform acceleration that the effect adds, m/s²; null: no such acceleration.
   Vector3 (*acceleration)(const void* settings) = nullptr;
   /// The largest force on a cloth of the given area (m²), N; null: no force, or no known bound.
   double (*largest_force)(const void* settings, double area) = nullptr;
-  /// How an obstacle, a body that cloth may lie on, moves; null: the effect is not an obstacle.
+  /// The motion of an obstacle (a body that cloth may lie on); null: the effect is not an obstacle.
   SteadyMotion (*motion)(const void* settings) = nullptr;
   /// The obstacle's surface at time 0, normals outward; null: the effect is not an obstacle.
   TriangleMesh (*surface)(const void* settings, const SurfaceInput&) = nullptr;
-  /// A warning about these settings in this scene, if they are doubtful; null: there is never a warning.
+  /// A warning if these settings are doubtful in this scene; null: the effect has no warnings.
   std::optional<Doubt> (*doubt)(const void* settings, const DoubtInput&) = nullptr;
-  /// For an effect that the program added: distinguishes versions of its code in run ids. Empty: the
-  /// program's file distinguishes them.
+  /// For an effect that the program added: a text that distinguishes versions of the effect's code in run
+  /// ids. Empty: the program's file distinguishes the versions.
   std::string_view code = {};
 
   bool is_obstacle() const { return motion != nullptr; }
@@ -133,8 +133,8 @@ struct EffectKind {
   }
 };
 
-/// The passes of an effect in a scene. Throws std::invalid_argument for settings that contradict each other
-/// or the scene.
+/// The passes of an effect in a scene. Throws std::invalid_argument if settings contradict others or the
+/// scene.
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Effect& effect, const EffectInput& input) {
   return effect.kind().compile<Real>()(effect.settings(), input);
@@ -150,13 +150,13 @@ inline bool does_work(const Effect& effect) {
 /// All registered effects: first the effects of effects.hpp, then the effects that the program added.
 std::span<const EffectKind* const> effects();
 
-/// The effect of that name, or nullptr.
+/// The effect with this name, or nullptr.
 const EffectKind* find_effect(std::string_view name);
 
 /// Adds an effect that the program defines. See Registry::add().
 void register_effect(const EffectKind& kind);
 void register_effect(const EffectKind&&) = delete;
-/// Removes an effect that was added. Scenes that use the effect keep it.
+/// Removes an effect that the program added. Existing scenes can still use the effect.
 void remove_effect(std::string_view name);
 
 /// Only the effects that the program added.

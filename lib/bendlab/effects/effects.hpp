@@ -35,8 +35,8 @@ struct Tethers {
 };
 
 struct ViscousDrag {
-  /// N s/m³. A flat sheet of 0.2 kg/m² then falls at 2 m/s at most. (With the quadratic drag of air, ½ · 1.2
-  /// kg/m³ · 1.28 v², it would be 1.6 m/s.)
+  /// N s/m³. With this default a flat sheet of 0.2 kg/m² falls at 2 m/s at most. With the quadratic drag of
+  /// air, ½ · 1.2 kg/m³ · 1.28 v², the sheet would fall at 1.6 m/s at most.
   double coefficient = 1;
   static const EffectKind kind;
 };
@@ -97,7 +97,7 @@ struct Sphere : SpinningBody {
 };
 
 struct Capsule : SpinningBody {
-  Vector3 a{-0.25, 0, 0}, b{0.25, 0, 0};  ///< m, ends of its segment, about which it spins
+  Vector3 a{-0.25, 0, 0}, b{0.25, 0, 0};  ///< m, ends of the segment, which is the axis of the spin
   double radius = 0.1;                    ///< m
   static const EffectKind kind;
 };

@@ -1,10 +1,11 @@
 // Friction: Coulomb's law where obstacles push the cloth.
 //
-// Friction is computed per vertex and substep, from displacements: D is the sum of all pushes by obstacles so
-// far, F the sum of all friction so far. Friction cancels the sliding that is left if |F| stays within μ_s D;
-// otherwise |F| becomes μ_k D. The sums go over the iterations of the substep. The first iteration pushes
-// most, but a vertex that strain and bending move later has to stick as well (like accumulated impulses,
-// Catto 2005, §4.3). Implicit methods treat friction as a force instead (contact_forces.hpp).
+// Friction is computed per vertex and substep, from displacements. D is the sum of all pushes by obstacles so
+// far, and F is the sum of all friction so far. If |F| remains at most μ_s D, friction cancels the remaining
+// sliding; otherwise |F| becomes μ_k D. D and F are sums over the iterations of the substep. The first
+// iteration pushes most, but strain and bending may move a vertex in later iterations, and friction must act
+// on such a vertex, too (like the accumulated impulses of Catto 2005, §4.3). Implicit methods use a force
+// (contact_forces.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,12 +25,11 @@ constexpr std::array fields = {
                                .meaning = "μ_s: cloth does not slide while friction is at most μ_s times the "
                                           "push",
                                .minimum = 0}),
-    field<&Friction::kinetic>(
-        {.name = "kinetic",
-         .unit = "1",
-         .meaning = "μ_k: friction on sliding cloth is μ_k times the push, but not more than stops the "
-                    "sliding",
-         .minimum = 0}),
+    field<&Friction::kinetic>({.name = "kinetic",
+                               .unit = "1",
+                               .meaning = "μ_k: friction on sliding cloth is μ_k times the push, or less if "
+                                          "a smaller friction stops the sliding",
+                               .minimum = 0}),
 };
 
 // What obstacles and friction did to a vertex in this substep.
@@ -42,7 +42,7 @@ struct Grip {
   Vector pushed = Vector::Zero();   // Σ depth · normal
   Vector carried = Vector::Zero();  // Σ depth · carried
   Vector held = Vector::Zero();     // F, m
-  Vector normal = Vector::Zero();   // of the last push; friction moves no vertex into the obstacle
+  Vector normal = Vector::Zero();   // of the last push: friction must not move a vertex into the obstacle
 };
 
 template <class Real>

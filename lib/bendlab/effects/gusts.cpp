@@ -17,11 +17,10 @@ double noise(std::uint64_t seed, std::uint64_t n) {
 
 Vector3 Gusts::at(double seconds) const {
   const double cell = std::floor(seconds / time), x = seconds / time - cell, s = x * x * (3 - 2 * x);
-  // A vertex that flew far away asks for a time whose cell is too large for an integer.
+  // For a vertex that flew far away, `seconds` may be so large that `cell` is no 64-bit integer.
   if (!(std::abs(cell) < 0x1p62)) return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell)) * 3;
-  // The variance of a uniform value is 1/3; the variance of (1 - s) a + s b, averaged over x, is 26/35 of
-  // that.
+  // The variance of a uniform value is 1/3. The variance of (1 - s) a + s b, averaged over x, is 26/35 · 1/3.
   const double scale = deviation * std::numbers::sqrt3 * std::sqrt(35.0 / 26.0);
   Vector3 gust;
   for (std::uint64_t axis = 0; axis < 3; ++axis)

@@ -1,4 +1,4 @@
-// Gusts: smooth noise in time that is added to a steady wind. A seed gives the same bits on every machine.
+// Gusts: smooth noise in time, added to a steady wind. A seed gives the same bits on every machine.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 namespace bendlab {
 
 /// Each component is a separate value noise: independent uniform values at whole multiples of `time`,
-/// interpolated by 3 x² - 2 x³. Its mean is 0 and its standard deviation over time is `deviation`. It never
-/// exceeds 2.01 deviations; values at least 2 `time` apart are independent.
+/// interpolated by 3 x² - 2 x³. A component has the mean 0 and the standard deviation `deviation` over time,
+/// and is at most 2.01 times the deviation. Values at least 2 `time` apart are independent.
 struct Gusts {
   double deviation = 0;  ///< m/s
   double time = 1;       ///< s

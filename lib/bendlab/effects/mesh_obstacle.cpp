@@ -1,15 +1,14 @@
-// Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side
-// it came from).
+// Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (the cloth stays on
+// its side).
 //
-// * Vertices are pushed out from the nearest point of the mesh. A vertex looks for that point again only
-//   after it has moved as far as it was away from the mesh, so that a vertex far from the mesh costs one
-//   comparison.
-// * A vertex that moves far in a substep, compared with the thickness, and meets the mesh is held outside the
-//   plane of the triangle that it met first.
-// * Edges of the cloth are tested against the mesh's ridges, and its triangles against the mesh's pointed
-//   corners. Pairs that are near are found once per substep, on the predicted positions.
+// * A vertex is pushed away from the nearest point of the mesh. The search for this point is repeated only
+//   after the vertex has moved by its distance from the mesh. So a distant vertex costs one comparison.
+// * If a vertex moves far in a substep, compared with the thickness, and meets the mesh, it is moved outside
+//   the plane of the first triangle on its path.
+// * Edges of the cloth are tested against ridges of the mesh, and triangles of the cloth against pointed
+//   corners of the mesh. The pairs to test are found once per substep, on the predicted positions.
 //
-// Not covered: edges and triangles are not followed through a substep. If an edge moves by more than the
+// Limit: edges and triangles are tested only at the end of a substep. If an edge moves by more than the
 // thickness and half its length, it may cut a corner of the mesh between its vertices.
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -25,19 +24,19 @@ namespace bendlab {
 namespace {
 
 constexpr std::array own_fields = {
-    field<&MeshObstacle::file>(
-        {.name = "file",
-         .meaning = "mesh file (.obj, .ply, .off, .stl), relative to the config; its content is part of "
-                    "the run's identity",
-         .required = true,
-         .names_file = true}),
+    field<&MeshObstacle::file>({.name = "file",
+                                .meaning = "mesh file (.obj, .ply, .off, .stl), relative to the config; if "
+                                           "the content of the file changes, the run gets another id",
+                                .required = true,
+                                .names_file = true}),
     field<&MeshObstacle::scale>({.name = "scale",
                                  .unit = "1",
                                  .meaning = "factor on the file's coordinates",
                                  .minimum = 0,
                                  .above = true}),
-    field<&MeshObstacle::offset>(
-        {.name = "offset", .unit = "m", .meaning = "added to the scaled coordinates"}),
+    field<&MeshObstacle::offset>({.name = "offset",
+                                  .unit = "m",
+                                  .meaning = "translation of the mesh, added to the scaled coordinates"}),
 };
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<MeshObstacle>);
@@ -61,21 +60,20 @@ TriangleMesh surface(const MeshObstacle& settings, const SurfaceInput& input) {
   return placed(accept(parse_polygon_soup(settings.file, *input.file), BadTriangles::refuse).mesh, settings);
 }
 
-// Parameters in (0, 1) of the nearest points of two segments, if both lie between the ends.
+// The parameters in (0, 1) of the nearest points of two segments. Empty if one of these points is an end.
 std::optional<std::array<double, 2>> nearest_between(const Vector3& a, const Vector3& along, const Vector3& b,
                                                      const Vector3& other) {
   const Vector3 apart = a - b;
   const double aa = along.squaredNorm(), ab = along.dot(other), bb = other.squaredNorm();
   const double determinant = aa * bb - ab * ab;
-  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: left to vertices
+  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: vertices are pushed
   const double s = (ab * other.dot(apart) - bb * along.dot(apart)) / determinant;
   const double u = (aa * other.dot(apart) - ab * along.dot(apart)) / determinant;
   if (!(s > 0 && s < 1 && u > 0 && u < 1)) return std::nullopt;
   return std::array{s, u};
 }
 
-// Shared by the two passes of an obstacle. Coordinates are relative to the mesh, so that the obstacle stands
-// still.
+// The data of an obstacle's two passes. Coordinates are relative to the mesh, so that the mesh does not move.
 template <class Real>
 class SurfaceContacts {
  public:
@@ -93,7 +91,7 @@ class SurfaceContacts {
     own_edges();
   }
 
-  // Once per substep, on the predicted positions.
+  // Runs once per substep, on the predicted positions.
   void find_near(PassContext<Real>& context) {
     const obstacle::Step<Real> step(motion_, context);
     corners_near_.clear(), ridges_near_.clear();
@@ -114,7 +112,7 @@ class SurfaceContacts {
   using Vector = Vector3Of<Real>;
   using Step = obstacle::Step<Real>;
 
-  // Where a vertex last looked for the nearest point of the mesh.
+  // A vertex's last search for the nearest point of the mesh.
   struct LastSearch {
     Vector3 at = Vector3::Zero();
     double distance = 0;  // m, a lower bound of the distance from `at` to the surface
@@ -156,7 +154,7 @@ class SurfaceContacts {
 
   double distance_to_box(const Vector3& x) const { return box_.exteriorDistance(x); }
 
-  // No point of a triangle is farther from a corner than the longest side.
+  // Tests only vertices, because no point of a triangle is farther from a corner than the longest side.
   bool any_in_reach(const State<Real>& state, const Step& step) const {
     double way = 0;
     for (std::size_t v = 0; v < last_searches_.size(); ++v)
@@ -224,8 +222,8 @@ class SurfaceContacts {
     }
   }
 
-  // How a point x of the cloth is pushed out. `offset` leads to x from the nearest feature of the mesh, which
-  // has the mean normal `normal`. Nothing if x is far enough away.
+  // How to push a point x of the cloth out; empty if x is far enough away. `offset` is the vector from the
+  // nearest ridge or corner of the mesh to x, and `normal` is the mean normal there.
   std::optional<Push> way_out(const Vector3& x, const Vector3& from, const Vector3& offset,
                               const Vector3& normal) const {
     const double distance = offset.norm();
@@ -263,7 +261,7 @@ class SurfaceContacts {
     const std::array<Vector3, 3> x = {now(state, step, vertices[0]), now(state, step, vertices[1]),
                                       now(state, step, vertices[2])};
     const Vector3 w = nearest_weights(corner, x[0], x[1], x[2]);
-    if (!(w.minCoeff() > 0)) return;  // on an edge: left to ridges and vertices
+    if (!(w.minCoeff() > 0)) return;  // on an edge: ridges and vertices are pushed
     const Vector3 at = w(0) * x[0] + w(1) * x[1] + w(2) * x[2];
     const Vector3 from = w(0) * before(state, step, vertices[0]) + w(1) * before(state, step, vertices[1]) +
                          w(2) * before(state, step, vertices[2]);
@@ -307,7 +305,7 @@ class SurfaceContacts {
 
   std::shared_ptr<const MeshSurface> surface_;
   SteadyMotion motion_;
-  double thickness_, longest_;  // m; the longest edge of the cloth
+  double thickness_, longest_;  // m; longest_: longest edge of the cloth
   bool contacts_used_;
   Eigen::AlignedBox3d box_;
   std::vector<LastSearch> last_searches_;  // #V

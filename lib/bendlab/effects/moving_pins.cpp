@@ -20,8 +20,9 @@ constexpr std::array<std::string_view, 2> interpolations = {"linear", "smooth"};
 constexpr std::array fields = {
     field<&MovingPins::vertices>(
         {.name = "vertices",
-         .meaning = "which pinned vertices move, by the names of /pins/vertices; the rings pinned around a "
-                    "vertex move with it. If vertices and indices are both empty, all pinned vertices move",
+         .meaning =
+             "which pinned vertices move, by the names of /pins/vertices; the pinned rings around a vertex "
+             "move with the vertex. If vertices and indices are empty, all pinned vertices move",
          .choices = place_names}),
     field<&MovingPins::indices>({.name = "indices",
                                  .unit = "1",
@@ -31,28 +32,25 @@ constexpr std::array fields = {
     field<&MovingPins::times>(
         {.name = "times",
          .unit = "s",
-         .meaning = "times of the keyframes, in growing order; the first keyframe also holds before its "
-                    "time, and the last keyframe after its time"}),
-    field<&MovingPins::offsets>(
-        {.name = "offsets",
-         .unit = "m",
-         .meaning = "displacement from where the vertices start, three numbers per keyframe; empty: no "
-                    "displacement"}),
-    field<&MovingPins::angles>(
-        {.name = "angles",
-         .unit = "degrees",
-         .meaning = "angle of the turn about the axis, which comes before the offset, one per keyframe; "
-                    "empty: no turn"}),
+         .meaning = "times of the keyframes, in growing order; the first keyframe also applies before the "
+                    "first time, and the last keyframe after the last time"}),
+    field<&MovingPins::offsets>({.name = "offsets",
+                                 .unit = "m",
+                                 .meaning = "displacement from the vertices' first positions, three numbers "
+                                            "per keyframe; empty: no displacement"}),
+    field<&MovingPins::angles>({.name = "angles",
+                                .unit = "degrees",
+                                .meaning = "angle of the turn about the axis, one per keyframe; the turn is "
+                                           "applied before the offset; empty: no turn"}),
     field<&MovingPins::axis>(
         {.name = "axis",
          .unit = "1",
-         .meaning = "direction of the axis of the turn, right-handed; any length but zero"}),
+         .meaning = "direction of the axis of the turn, right-handed; any length except zero"}),
     field<&MovingPins::centre>({.name = "centre", .unit = "m", .meaning = "a point on the axis of the turn"}),
-    field<&MovingPins::interpolation>(
-        {.name = "interpolation",
-         .meaning = "how to interpolate between keyframes: linear, or smooth (by 3 s² - 2 s³, at rest at "
-                    "every keyframe)",
-         .choices = interpolations}),
+    field<&MovingPins::interpolation>({.name = "interpolation",
+                                       .meaning = "how to interpolate between keyframes: linear, or smooth "
+                                                  "(by 3 s² - 2 s³; the motion stops at every keyframe)",
+                                       .choices = interpolations}),
 };
 
 struct Pose {
@@ -60,7 +58,7 @@ struct Pose {
   double angle = 0;                  // rad
 };
 
-// Poses at growing times. Throws std::invalid_argument if the lists' lengths do not match or the times do not
+// Poses at growing times. Throws std::invalid_argument if the lists' lengths do not match or times do not
 // grow.
 class Keyframes {
  public:
@@ -84,7 +82,7 @@ class Keyframes {
     return std::ranges::all_of(poses_, [](const Pose& p) { return p.angle == 0 && p.offset.isZero(0); });
   }
 
-  // At the time of a keyframe this is the keyframe's pose, to the last bit.
+  // At the time of a keyframe the result equals the keyframe's pose in every bit.
   Pose at(double time) const {
     const auto next = std::ranges::upper_bound(times_, time);
     const auto k = static_cast<std::size_t>(next - times_.begin());
@@ -101,8 +99,8 @@ class Keyframes {
   void check(const char* name, std::size_t given, std::size_t per_key) const {
     if (given != 0 && given != per_key * times_.size())
       throw std::invalid_argument(
-          fmt::format("{} has {} numbers, expected {} (each of the {} times needs {}) or none", name, given,
-                      per_key * times_.size(), times_.size(), per_key));
+          fmt::format("{} has {} numbers, expected {} (each of the {} keyframes needs {}) or none", name,
+                      given, per_key * times_.size(), times_.size(), per_key));
   }
 
   std::vector<double> times_;
@@ -110,8 +108,8 @@ class Keyframes {
   bool smooth_;
 };
 
-// #V: for each pinned vertex, the vertex named in the scene that caused it to be pinned: the vertex itself,
-// or the nearest named vertex along pinned vertices. -1 for free vertices.
+// #V: for each pinned vertex, the vertex that the scene names in /pins and to which the pin belongs: the
+// pinned vertex itself, or the nearest named vertex along pinned vertices. -1 for free vertices.
 std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   std::vector<int> seed(static_cast<std::size_t>(rest.vertex_count()), -1), queue = pins.seeds;
   for (const int vertex : queue) seed[static_cast<std::size_t>(vertex)] = vertex;
@@ -122,8 +120,8 @@ std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   return seed;
 }
 
-// The vertices that the settings name; all pinned vertices if the settings name no vertex. Throws
-// std::invalid_argument for a vertex that is not in the mesh or not pinned.
+// The vertices that the settings name, or all pinned vertices if the settings name no vertex. Throws
+// std::invalid_argument if a named vertex is not in the mesh or not pinned.
 std::set<int> named_vertices(const MovingPins& settings, const EffectInput& input) {
   std::set<int> named;
   const auto add = [&](int vertex, const std::string& setting) {
@@ -156,7 +154,7 @@ std::vector<std::size_t> moving_vertices(const MovingPins& settings, const Effec
   return vertices;
 }
 
-// A turn about an axis, then an offset; without angles exactly start + offset.
+// A turn about an axis, then an offset. Without angles the result is exactly start + offset.
 class Motion {
  public:
   explicit Motion(const MovingPins& settings)
@@ -164,13 +162,14 @@ class Motion {
         turns_(!settings.angles.empty()),
         axis_(settings.axis),
         centre_(settings.centre) {
-    if (turns_ && !(axis_.norm() > 0)) throw std::invalid_argument("axis has no length: give it a direction");
+    if (turns_ && !(axis_.norm() > 0))
+      throw std::invalid_argument("axis has no length: choose a vector that is not zero");
     axis_.normalize();
   }
 
   bool stands_still() const { return keyframes_.all_at_the_start(); }
 
-  // Calls visit(i, position) for the i-th of the starts; coordinates are relative to `origin`.
+  // Calls visit(i, position) for each starts[i]. Coordinates are relative to `origin`.
   template <class Visit>
   void at(double time, const std::vector<Vector3>& starts, const Vector3& origin, const Visit& visit) const {
     const Pose pose = keyframes_.at(time);
@@ -187,9 +186,9 @@ class Motion {
   Vector3 axis_, centre_;
 };
 
-// Sets the predicted positions of pinned vertices to those at the end of the substep, context.time + h. No
-// projection moves pinned vertices. `update` derives their velocities from their previous positions, for
-// callers that need to know how fast a pin moves.
+// Sets the predicted positions of pinned vertices to their positions at context.time + h, the end of the
+// substep. No projection moves pinned vertices. The step's pass `update` also computes the velocities of
+// pinned vertices, for functions that need the velocity of a pin.
 template <class Real>
 std::vector<Pass<Real>> compile(const MovingPins& settings, const EffectInput& input) {
   const Motion motion(settings);
@@ -226,8 +225,8 @@ bool drives(const MovingPins&) {
 constinit const EffectKind MovingPins::kind{
     .name = "moving_pins",
     .summary =
-        "pinned vertices follow keyframes exactly; if several of these effects move a vertex, the last one "
-        "counts",
+        "pinned vertices follow keyframes exactly; if several effects of this kind move a vertex, the last "
+        "effect counts",
     .source = "prescribed motion: start + offset, after a turn about an axis if angles are given",
     .settings = table_of<MovingPins>(fields),
     .needs_projection = true,

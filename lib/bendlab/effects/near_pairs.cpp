@@ -9,11 +9,11 @@
 namespace bendlab {
 namespace {
 
-// Added to the margin for the rounding of float boxes; relative to the largest coordinate of a box.
+// Added to the margin, because boxes are rounded to float. Relative to the largest coordinate of a box.
 constexpr double box_rounding = 4e-7;
-// Extent of every box in the fourth lane, so that all boxes overlap there.
+// A box has three coordinates in four lanes. In the fourth lane all boxes have this extent and overlap.
 constexpr float endless = 1e30F;
-// Relative to the thickness: a pair nearer than this at rest touches (a seam that is not welded).
+// A pair touches at rest (a seam that is not welded) if its distance is smaller. Relative to the thickness.
 constexpr double touching = 1e-6;
 
 Positions centres_of(const RestMesh& rest) {
@@ -26,7 +26,7 @@ Positions centres_of(const RestMesh& rest) {
   return centres;
 }
 
-// Gives each edge to the first triangle that has it.
+// Assigns each edge to the first triangle that contains the edge.
 template <class Triangles>
 void give_edges(Triangles& triangles) {
   const auto at = [](int index) { return static_cast<std::size_t>(index); };
@@ -38,8 +38,8 @@ void give_edges(Triangles& triangles) {
                 });
 }
 
-// The smallest and the largest component of the vertices' vectors along each axis. The order of the vertices
-// does not matter.
+// For each axis, the smallest and the largest component of the vectors of all vertices. The result does not
+// depend on the order of the vertices.
 template <class Real>
 struct Range {
   Vector3 low, high;
@@ -80,8 +80,8 @@ NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
   give_edges(triangles_);
 }
 
-// The pairs found before are still valid if every vertex is within its margin at the start and at the end of
-// the substep: then its straight path is within the margin, too.
+// The pairs of an earlier search are still valid if every vertex is within its margin at the start and at the
+// end of the substep, because then the straight path of the vertex is within the margin, too.
 template <class Real>
 void NearPairs<Real>::begin(const State<Real>& state, double margin) {
   if (part_of_target_ < 1 || !cover(state.previous) || !cover(state.position)) {
@@ -110,8 +110,8 @@ void NearPairs<Real>::find(const State<Real>& state, double part_of_target, doub
       [&](int a, int b) { look_at(state, static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
 }
 
-// If an axis separates two elements in the same order at the start and at the end, it separates them all the
-// way.
+// If an axis separates two elements at the start and at the end of the substep, and the elements have the
+// same order along the axis, the axis separates the elements during the whole substep.
 template <class Real>
 bool NearPairs<Real>::Way::meets(const Way& other, float depth) const {
   const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
@@ -159,13 +159,13 @@ typename NearPairs<Real>::Way NearPairs<Real>::edge_way(const Triangle& t, std::
   return way;
 }
 
-// The boxes are grown for pairs whose target is the thickness. A pair that is near at rest has a smaller
-// target.
+// The boxes are enlarged for pairs whose target is the thickness. For a pair that is near at rest the target
+// is smaller, so its boxes are too large by thickness - target.
 template <class Real>
 bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& first,
                                     const Way& second) const {
   if (!first.meets(second)) return false;
-  if (!thick_) return true;  // too few pairs are near at rest for the test below
+  if (!thick_) return true;  // few pairs are near at rest, so the test below rarely applies
   const auto apart = [&](std::size_t i, std::size_t j) {
     return (rest_[static_cast<std::size_t>(vertices[i])] - rest_[static_cast<std::size_t>(vertices[j])])
         .squaredNorm();
@@ -221,7 +221,7 @@ template <class Real>
 void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices) {
   NearPair pair{vertices, pairing, 0, {}, thickness_};
   measure_start(state, pair);
-  // Each of the two elements may come nearer by the margin.
+  // Each of the two elements may move by the margin towards the other element.
   const double end = separation_along(pair.normal, pairing, corners_of(pair, state.position)) - 2 * margin_;
   const double least = std::min(pair.start, end);
   if (least > part_of_target_ * thickness_) return;

@@ -1,5 +1,4 @@
-// The parts of a cloth that may touch each other within a substep: pairs of a vertex and a triangle, and
-// pairs of edges.
+// Pairs of elements of a cloth (a vertex and a triangle, or two edges) that may touch within a substep.
 #pragma once
 
 #include <array>
@@ -16,25 +15,25 @@ struct NearPair {
   std::array<int, 4> vertices;  ///< permuted: indices in State's arrays, ordered as in Corners
   Pairing pairing;
   double start;    ///< m, length of the gap at the start of the substep
-  Vector3 normal;  ///< the unit vector of that gap
-  double target;   ///< m, wanted distance: the thickness, or half of the rest distance if that is less
+  Vector3 normal;  ///< the unit vector along this gap
+  double target;   ///< m, wanted distance: the thickness, or half of the distance at rest if less
 
   void archive(Archive& state) { state(vertices, pairing, start, normal, target); }
 };
 
-/// Finds the pairs that can come nearer than a given part of their target during a substep. A vertex is
-/// assumed to move straight, from its position at the start of the substep to a point within a margin of its
-/// present position. All such pairs are found, and few other pairs:
+/// Finds the pairs whose distance may become smaller than a given part of their target during a substep. A
+/// vertex is assumed to move along a straight path, from its position at the start of the substep to a point
+/// within a margin of its present position. The search finds all such pairs, and only few other pairs:
 ///
-/// * A tree holds boxes around each triangle's path. The cost is n log n at most, and n if the cloth is
-///   smooth. The motion that all vertices share is subtracted, so that cloth in free fall sweeps no space.
+/// * A tree stores boxes around each triangle's path. The cost is n log n at most, and n if the cloth is
+///   smooth. The motion that all vertices share is subtracted, so that cloth in free fall has short paths.
 /// * Each vertex and each edge belongs to one triangle, so every pair is tested once (Curtis et al. 2008).
-/// * Two elements stay apart if an axis, or the normal of their gap, separates them by more than their target
-///   both at the start and at the end.
+/// * Two elements are no pair if an axis, or the normal of their gap, separates the elements by more than
+///   their target at the start and at the end of the substep.
 ///
-/// Why half of the rest distance: a chord of a half circle is at least 2/π of its arc. So cloth may be folded
-/// to a diameter of the thickness before a pair is pushed, and neighbours at rest are never pushed. Elements
-/// that share a vertex, or that touch at rest (a seam), are not a pair.
+/// The target is at most half of the distance at rest, because a chord of a half circle is at least 2/π of
+/// its arc. So a pair is pushed only if the cloth is folded to a diameter smaller than the thickness, and
+/// neighbours at rest are never pushed. Elements that share a vertex or touch at rest (a seam) are no pair.
 ///
 /// The order of the pairs depends on the mesh alone.
 template <class Real>
@@ -42,29 +41,29 @@ class NearPairs {
  public:
   NearPairs(const EffectInput& input, double thickness);
 
-  /// Begins a substep. Keeps the pairs found before if they still cover the whole path of every vertex.
+  /// Begins a substep. Repeats the search if the pairs of the last search do not cover the paths of all
+  /// vertices.
   void begin(const State<Real>& state, double margin);
   void find(const State<Real>& state, double part_of_target, double margin);
-  /// True while no vertex has left its margin since the pairs were found, apart from motion that all vertices
-  /// share.
+  /// Whether every vertex is within its margin around its last search, apart from motion that all share.
   bool cover(const Points<Real>& points) const;
 
   const std::vector<NearPair>& pairs() const { return pairs_; }
-  /// What one substep keeps for the next.
+  /// The data that one substep keeps for the next substep.
   void archive(Archive& state) { state(part_of_target_, margin_, found_at_, pairs_); }
 
  private:
   struct Triangle {
     std::array<int, 3> vertices;                 // permuted
-    std::array<bool, 3> owns_vertex, owns_edge;  // edge i from corner i to the next
+    std::array<bool, 3> owns_vertex, owns_edge;  // edge i is from corner i to the next corner
   };
 
-  // Boxes around an element at the start and at the end of the substep. Each box is grown by half of the
+  // Boxes around an element at the start and at the end of the substep. Each box is enlarged by half of the
   // distance at which two elements count as near.
   struct Way {
     Box start, end;
     void include(const Way& other) { start.include(other.start), end.include(other.end); }
-    /// Whether two elements may come so near each other that the boxes overlap by `depth`, m.
+    /// Whether the boxes of two elements may overlap by `depth` (m) during the substep.
     bool meets(const Way& other, float depth = 0) const;
   };
 

@@ -1,4 +1,4 @@
-// What obstacles share: common settings, how they move, and how they push vertices out.
+// Code for all obstacles: their common settings, their motion, and how an obstacle pushes vertices out.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,7 +12,7 @@
 
 namespace bendlab::obstacle {
 
-/// The rows for the members of Body and of SpinningBody.
+/// The fields of Body's settings; spin_fields has the settings that SpinningBody adds.
 template <class Obstacle>
 inline constexpr std::array body_fields = {
     field<&Obstacle::thickness, Obstacle>({.name = "thickness",
@@ -23,26 +23,24 @@ inline constexpr std::array body_fields = {
     field<&Obstacle::velocity, Obstacle>(
         {.name = "velocity",
          .unit = "m/s",
-         .meaning = "velocity of the obstacle; at time 0 the obstacle is where its settings place it"}),
+         .meaning = "velocity of the obstacle; the other settings state the obstacle's position at time 0"}),
 };
 template <class Obstacle>
 inline constexpr std::array spin_fields = {
-    field<&Obstacle::spin, Obstacle>(
-        {.name = "spin",
-         .unit = "rad/s",
-         .meaning = "angular velocity about the axis, counter-clockwise seen from its tip; carries the cloth "
-                    "by friction"}),
+    field<&Obstacle::spin, Obstacle>({.name = "spin",
+                                      .unit = "rad/s",
+                                      .meaning = "angular velocity about the axis, counter-clockwise seen "
+                                                 "from the tip of the axis; moves the cloth by friction"}),
 };
 
-/// A setting as a unit vector. Throws std::invalid_argument if it is zero.
+/// A setting as a unit vector. Throws std::invalid_argument for the zero vector.
 inline Vector3 direction_of(const Vector3& setting, const std::string& name) {
   if (!(setting.norm() > 0))
     throw std::invalid_argument(name + " is the zero vector, which has no direction; choose another vector");
   return setting.normalized();
 }
 
-/// The longest edge that obstacles expect, m. If cloth stretches beyond this length, obstacles may miss the
-/// cloth between its vertices.
+/// The longest edge for which obstacles are tested, m. Obstacles may miss the middle of a longer edge.
 inline double longest_edge(const RestMesh& rest) {
   constexpr double largest_stretch = 1.5;
   double longest = 0;
@@ -66,8 +64,8 @@ class Step {
     sine_ = static_cast<Real>(std::sin(turn)), versine_ = static_cast<Real>(1 - std::cos(turn));
   }
 
-  /// Translation from a point of the obstacle in the world at time 0 to the same point in the state's
-  /// coordinates at the end of the substep; without spin.
+  /// Translation of the obstacle, without spin, from its position in the world at time 0 to its position at
+  /// the end of the substep in the state's coordinates.
   const Vector3& shift() const { return shift_; }
   /// How far the velocity moves the obstacle in the substep.
   const Vector& advance() const { return advance_; }
@@ -97,9 +95,9 @@ void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex
         {vertex, normal, depth, step.carried(context.state.previous[vertex].vector())});
 }
 
-/// Moves the point Σ weight·vertex of the cloth by `depth` along `normal`. Each free vertex is pushed in
-/// proportion to weight and inverse mass, as by a force at that point. Near a pinned corner the free corners
-/// have almost no weight: see least_lever and largest_move.
+/// Moves the point Σ weight·vertex of the cloth by `depth` along `normal`. Each free vertex moves in
+/// proportion to weight and inverse mass, as by a force at the point. Near a pinned corner the free corners
+/// have almost no weight, so least_lever and largest_move bound the moves.
 template <class Real, std::size_t corners>
 void push_together(PassContext<Real>& context, const Step<Real>& step,
                    const std::array<std::size_t, corners>& vertices, const std::array<Real, corners>& weights,

@@ -6,9 +6,9 @@ namespace {
 
 constexpr std::array own_fields = {
     field<&Plane::point>(
-        {.name = "point", .unit = "m", .meaning = "a point of the plane; the spin's axis goes through it"}),
+        {.name = "point", .unit = "m", .meaning = "a point of the plane and of the axis of the spin"}),
     field<&Plane::normal>(
-        {.name = "normal", .unit = "1", .meaning = "points to the cloth's side; of any length but zero"}),
+        {.name = "normal", .unit = "1", .meaning = "points to the cloth's side; any length except zero"}),
 };
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Plane>, obstacle::spin_fields<Plane>);
@@ -35,7 +35,7 @@ std::vector<Pass<Real>> compile(const Plane& settings, const EffectInput& input)
            }}};
 }
 
-// A square stands for the plane, which has no end.
+// A square in the plane, because the plane itself is infinite.
 TriangleMesh surface(const Plane& settings, const SurfaceInput& input) {
   constexpr double side = 4;  // relative to the cloth's size
   const Vector3 normal = obstacle::direction_of(settings.normal, "normal");

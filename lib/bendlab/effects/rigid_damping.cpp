@@ -1,5 +1,5 @@
 // Rigid-mode damping: pulls the velocity of every free vertex towards the velocity of the rigid motion that
-// has the same linear and angular momentum. So both momenta are kept, and only deformation is damped.
+// has the same linear and angular momentum. So only deformation is damped, and both momenta are preserved.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -20,8 +20,8 @@ constexpr std::array fields = {
          .minimum = 0}),
 };
 
-// Linear and angular momentum, mass and inertia of the free vertices, about their centre of mass. Sums are
-// taken in double, in the order of the vertices: they are the same for any number of threads.
+// Linear and angular momentum, mass and inertia of the free vertices, about their centre of mass. The sums
+// are computed in double in the order of the vertices, so they do not depend on the number of threads.
 struct RigidMotion {
   Vector3d centre = Vector3d::Zero(), velocity = Vector3d::Zero(), spin = Vector3d::Zero();
 
@@ -54,11 +54,10 @@ struct RigidMotion {
               state.velocity[v].vector().template cast<double>());
   }
 
-  // Pseudo-inverse: vertices on a line, or a single vertex, have axes without inertia. There is no spin about
-  // these axes.
+  // Pseudo-inverse: vertices on a line have an axis without inertia, about which the spin is 0.
   static Vector3d solve_symmetric(const Matrix3d& inertia, const Vector3d& angular_momentum) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(inertia);
-    constexpr double relative_rank = 1e-12;  // of the largest moment: above the rounding of the sums
+    constexpr double relative_rank = 1e-12;  // of the largest moment; the sums' rounding is smaller
     const double threshold = relative_rank * axes.eigenvalues().maxCoeff();
     Vector3d along = axes.eigenvectors().transpose() * angular_momentum;
     for (int i = 0; i < 3; ++i)
@@ -91,7 +90,7 @@ bool idle(const RigidDamping& settings) {
 
 constinit const EffectKind RigidDamping::kind{
     .name = "rigid_damping",
-    .summary = "damps deformation, keeps linear and angular momentum of the free vertices",
+    .summary = "damps deformation; preserves linear and angular momentum of the free vertices",
     .source = "Müller et al. 2007, §3.5, with a rate instead of a factor per step",
     .settings = table_of<RigidDamping>(fields),
     .keeps_momentum = true,

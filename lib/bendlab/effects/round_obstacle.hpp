@@ -1,21 +1,21 @@
-// Obstacles that hold all points within a radius of a convex core: a ball about a point, a capsule about a
-// segment, a round table top about a flat disc. The distance to the core is convex along every line, so that
-// the searches below are short:
+// Obstacles that consist of all points within a radius of a convex core. The core of a ball is a point, the
+// core of a capsule is a segment, and the core of a round table top is a flat disc. The distance to the core
+// is convex along every line, so few steps are enough for the searches below:
 //
-// * A vertex within radius + thickness of the core is pushed out along the direction from the core.
-// * A fast vertex moves farther than the radius in a substep, so that the nearest way out may lead to the
-//   wrong side. Such a vertex is followed to the point where it enters, and held outside the tangent plane
-//   there.
-// * An edge whose ends are outside may still cut through. Kelley's cutting planes find its lowest point. If
-//   both ends are R = radius + thickness away from the core, they are also that far from the core's point
-//   nearest to the edge. So the middle of an edge of length l is at least √(R² - l²/4) away, and the inside
-//   of a triangle √(R² - l²/3). Both are outside the radius if l² <= 3 t (2 radius + t), where t is the
-//   thickness: then edges and triangles are not tested.
-// * A ball or a capsule's end may come through a triangle between its edges: the core's tips are tested
-//   against triangles.
+// * A vertex within radius + thickness of the core is pushed straight away from the core.
+// * A fast vertex moves farther than the radius in a substep, so it could be pushed out on the wrong side. It
+//   is moved outside the tangent plane at the point where its path enters the obstacle.
+// * An edge may cut through the obstacle although its ends are outside. Kelley's cutting planes find the
+//   point of the edge that is nearest to the core. If all vertices are at least R = radius + thickness from
+//   the core, an edge of length l is at least √(R² - l²/4) from the core, and a triangle with sides of at
+//   most l is at least √(R² - l²/3) from the core. If l² <= 3 t (2 radius + t) for the thickness t, these
+//   distances are at least the radius, and edges and triangles are not tested.
+// * A ball, or an end of a capsule, may come through a triangle between the triangle's edges. So the tips of
+//   the core are tested against triangles.
 //
-// Not covered: edges and triangles are not followed through a substep. If an edge or triangle moves by more
-// than radius + thickness, the core may pass between its vertices: choose h < (radius + thickness) / speed.
+// Limit: edges and triangles are tested only at the end of a substep. If an edge or triangle moves by more
+// than radius + thickness in a substep, the core may pass between vertices: choose h < (radius + thickness) /
+// speed.
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,12 @@
 
 namespace bendlab::obstacle {
 
-/// Edges and triangles are pushed only if they are deeper than this fraction of the thickness.
+/// An edge or a triangle is pushed only if its depth is more than this fraction of the thickness.
 inline constexpr double tolerance = 1e-3;
 
-// Core<Real> has nearest(x), the core's point nearest to x; away(), a unit vector that leads away from any
-// point of the core; tips, its extremal points if there are finitely many; moved<To>(shift).
+// Core<Real> has nearest(x), the point of the core that is nearest to x; away(), a unit vector that points
+// out of the core at all its points; tips, the extremal points if their number is finite; and
+// moved<To>(shift).
 
 template <class Real, template <class> class Core>
 class RoundObstacle {
@@ -71,7 +72,7 @@ class RoundObstacle {
   }
 
  private:
-  // Finds the vertices' distances to the surface, which the tests of edges and triangles need. Returns
+  // Computes the distance from each vertex to the surface, for the tests of edges and triangles. Returns
   // whether any vertex is near or fast.
   bool any_near(const State<Real>& state, const Step<Real>& step, const Core<Real>& core) {
     bool any = false;
@@ -97,7 +98,7 @@ class RoundObstacle {
     const Vector p = point.vector(), from = context.state.previous[v].vector() + step.advance();
     const Real way = (p - from).squaredNorm();
     Vector offset = p - core.nearest(p);
-    // The path enters only if |offset| < √way + reach; (a + b)² <= 2 (a² + b²).
+    // The path can enter only if |offset| < √way + reach. The test uses (a + b)² <= 2 (a² + b²).
     if (way > radius_ * radius_ && offset.squaredNorm() < 2 * (way + reach_ * reach_)) {
       push_fast(context, step, core, v, from);
       const Vector at = point.vector();
@@ -110,18 +111,18 @@ class RoundObstacle {
          contacts_used_);
   }
 
-  // Finds where a path from outside enters, by Newton's method on the distance to the core. The distance is
-  // convex along the path, so a tangent stays below it and no step passes the surface. Once the distance
-  // grows, the path has missed the obstacle.
+  // Finds the point where a path from outside enters, by Newton's method for the distance to the core. The
+  // distance is convex along the path and never below its tangents, so no step passes the surface. If the
+  // distance grows at a step, the path does not enter the obstacle.
   void push_fast(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core, std::size_t v,
                  const Vector& from) const {
-    constexpr int most_steps = 32;  // quadratic; if the path only grazes, a step quarters the height
+    constexpr int most_steps = 32;  // quadratic; on a path that only touches, a step quarters the height
     const Vector to = context.state.position[v].vector(), way = to - from;
     Real s = 0;
     for (int i = 0; i < most_steps && s <= 1; ++i) {
       const Vector at = from + s * way, offset = at - core.nearest(at);
       const Real distance = offset.norm(), height = distance - reach_, slope = offset.dot(way) / distance;
-      if (distance <= radius_ || slope >= 0) return;  // the path starts inside, or leads away
+      if (distance <= radius_ || slope >= 0) return;  // the path starts inside or goes away
       if (height <= slack_) {
         const Vector normal = offset / distance;
         if (const Real depth = -height - (to - at).dot(normal); depth > 0)
@@ -166,7 +167,7 @@ class RoundObstacle {
     }
   }
 
-  // Pushes the triangle to the side that it came from.
+  // Pushes the triangle to the side of the tip on which the triangle was before.
   void push_triangle(PassContext<Real>& context, const Step<Real>& step, const Vector& tip,
                      const std::array<std::size_t, 3>& triangle) const {
     const auto corners_in = [&](const Points<Real>& points) {

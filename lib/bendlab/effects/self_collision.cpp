@@ -1,32 +1,33 @@
-// Self-collision: cloth keeps its thickness from itself and does not pass through itself.
+// Self-collision: layers of cloth keep a distance, the thickness, and do not pass through each other.
 //
-// A pair of a vertex and a triangle, or of two edges, has a gap: the vector between their nearest points. Two
-// rules act on it.
+// The gap of a pair (a vertex and a triangle, or two edges) is the vector between the two nearest points. The
+// target of a pair is its smallest allowed distance: the thickness, or half of the distance at rest if less.
+// Self-collision has two parts:
 //
-// * In each iteration a pair nearer than its target is moved apart along its gap. A pair that met on the
-//   straight path from the start of the substep is moved back to the side it came from, along the gap at the
-//   moment it met: Δx_i = -w_i λ n, mass-weighted (Müller et al. 2007, §4.3; the moment of contact: Provot
-//   1997 and Bridson et al. 2002, §6). Linear momentum is kept to rounding. Angular momentum is kept if the
-//   correction lies along the gap; for a pair that met, it is kept about the point where the pair met.
+// * In each iteration a pair that is nearer than its target is moved apart along its gap, by Δx_i = -w_i λ n
+//   (Müller et al. 2007, §4.3). A pair that met on the straight path from the start of the substep is moved
+//   back to its side, along the gap at the moment of contact (Provot 1997; Bridson et al. 2002, §6). Linear
+//   momentum is preserved to rounding. Angular momentum is preserved if the correction is along the present
+//   gap; for a pair that met, angular momentum about the point of contact is preserved.
 // * The iterations may end before all pairs are corrected. So at the end of the substep every pair is tested
-//   once more. Pairs that meet are moved back as before, for a few rounds. Pairs that still meet then move as
-//   one rigid body with everything they meet, until no pair meets (Provot 1997; Bridson et al. 2002, §7.4:
-//   impact zones).
+//   again. Pairs that meet are moved back in the same way, for a few rounds. If a pair still meets after
+//   these rounds, it forms an impact zone with all pairs that touch it, and the zone moves as one rigid body
+//   (Provot 1997; Bridson et al. 2002, §7.4). Zones grow until no pair meets.
 //
-// Guaranteed: if the substep starts without an intersection, there is none at its end, whatever the step,
-// speed and iterations, as long as pins do not push through each other. Not guaranteed:
+// Guaranteed: if the substep starts without an intersection, it ends without an intersection. This is true
+// for any substep, speed and iterations, if pins do not push through each other. Not guaranteed:
 //
 // * the thickness itself, if iterations are few;
-// * that intersections at the start are undone (each pair stays on its side);
-// * that vertices which the last test moves satisfy other constraints and stay out of obstacles;
-// * that a triangle does not turn over within its own plane, through a line.
+// * that intersections at the start disappear (each pair stays on its side);
+// * that other constraints hold, and that vertices are outside obstacles, after the last test;
+// * that a triangle does not turn over within its own plane, by collapsing to a line.
 //
-// The cost is about proportional to the number of vertices while layers move by less than a few edge lengths
-// against each other in a substep. Beyond that the boxes around the paths overlap, and the cost grows faster.
-// More substeps are the remedy.
+// The cost is about proportional to the number of vertices if layers move by less than a few edge lengths
+// against each other in a substep. If layers move farther, the boxes around their paths overlap, and the cost
+// grows faster. More substeps avoid this cost.
 //
-// Velocities follow from positions: cloth that meets does not bounce. A pair that is nearer than its target
-// is given time to come apart; otherwise it would shoot apart.
+// Velocities follow from positions, so layers that meet do not bounce. A pair that starts nearer than its
+// target moves apart slowly, because a large move in one substep would give the pair a large velocity.
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -47,26 +48,26 @@ namespace bendlab {
 namespace {
 
 constexpr std::array fields = {
-    field<&SelfCollision::thickness>(
-        {.name = "thickness",
-         .unit = "m",
-         .meaning = "distance that layers of cloth keep from each other; half of their distance at rest if "
-                    "that is less",
-         .minimum = 0,
-         .above = true}),
+    field<&SelfCollision::thickness>({.name = "thickness",
+                                      .unit = "m",
+                                      .meaning = "distance that layers of cloth keep from each other; layers "
+                                                 "that are near at rest keep half of their distance at rest",
+                                      .minimum = 0,
+                                      .above = true}),
 };
 
-// s: within this time, a pair that is nearer than its target moves apart by the target.
+// s: within this time, the distance of a pair that is nearer than its target grows by the target.
 constexpr double recovery_time = 0.02;
-// A pair has met if its distance is at most `meeting` times its target, or at most `meeting_of_start` times
-// its distance at the start if that is less. So a pair that is already near may come only a little nearer in
-// a substep; otherwise rounding would hide its distance after a few substeps.
+// A pair has met if its distance is at most the smaller of two lengths: `meeting` times its target, and
+// `meeting_of_start` times its distance at the start. So in a substep the distance of a pair that is already
+// near decreases only a little. Otherwise a few substeps would reduce the distance to a rounding error.
 constexpr double meeting = 0.05, meeting_of_start = 0.8;
-// A pair that met is moved back to this part of its target, or to its distance at the start if that is less.
+// A pair that met is moved back to this part of its target, or to its distance at the start if that is
+// smaller.
 constexpr double moved_back = 0.5;
 constexpr int rounds_before_zones = 8;
-// How far a vertex may move before pairs are found again: this part of the thickness, and at most this part
-// of the mean edge length, so that neighbours at rest are not pairs.
+// The search for pairs is repeated after a vertex has moved by the smaller of these parts of the thickness
+// and of the mean edge length. The edge length matters, because neighbours at rest must not become pairs.
 constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 
 // Sets of vertices that move as one rigid body.
@@ -82,7 +83,7 @@ class Zones {
       parent_[zone_of(vertex)] = zone_of(pair.vertices[0]);
     }
   }
-  /// The zones, in the order in which their members were added.
+  /// The zones, in the order in which vertices were added.
   std::vector<std::vector<int>> all() {
     std::map<int, std::size_t> index;
     std::vector<std::vector<int>> zones;
@@ -110,8 +111,8 @@ class Zones {
   std::vector<int> members_;
 };
 
-// The rigid rotation about the centre that has the same angular momentum as displacements d of masses at r,
-// relative to the centre.
+// The rigid rotation about the centre that has the same angular momentum as displacements d of masses at r
+// from the centre.
 struct Turn {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Vector3 moment = Vector3::Zero();
@@ -120,7 +121,7 @@ struct Turn {
     inertia += mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
     moment += mass * r.cross(d);
   }
-  // Vertices on a line do not rotate about it.
+  // Vertices on a line do not rotate about this line.
   Eigen::Matrix3d rotation() const {
     constexpr double relative_rank = 1e-12;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
@@ -194,8 +195,8 @@ class Layers {
     return state.position[static_cast<std::size_t>(vertex)];
   }
 
-  // The gap at the moment when a pair met, if the pair met since the start of the substep; `end`: present
-  // positions of its vertices.
+  // The gap at the moment when a pair met; empty if the pair has not met since the start of the substep.
+  // `end` are the present positions of the pair's vertices.
   static std::optional<Gap> meeting_gap(const State<Real>& state, const NearPair& pair, const Corners& end) {
     const double separation = std::min(meeting * pair.target, meeting_of_start * pair.start);
     if (!(separation > 0)) return std::nullopt;
@@ -203,8 +204,7 @@ class Layers {
     return first_contact(pair.pairing, corners_of(pair, state.previous), end, separation);
   }
 
-  // The gap along which to move a pair to the distance `target`; nothing if the pair is already that far
-  // apart.
+  // The gap along which to move a pair to the distance `target`; empty if the pair is already that far apart.
   static std::optional<Gap> gap_to_widen(const State<Real>& state, const NearPair& pair, double target) {
     const Corners end = corners_of(pair, state.position);
     if (std::min(pair.start, separation_along(pair.normal, pair.pairing, end)) >= target) return std::nullopt;
@@ -212,8 +212,8 @@ class Layers {
     return shortest_gap(pair.pairing, end);
   }
 
-  // Moves the two nearest points apart along the gap, until they are `target` apart; false if they already
-  // are.
+  // Moves the two nearest points of a pair apart along the gap, to the distance `target`; false if not
+  // needed.
   template <class Move>
   static bool widen(State<Real>& state, const NearPair& pair, const Gap& gap, double target,
                     const Move& move) {
@@ -236,8 +236,8 @@ class Layers {
     return true;
   }
 
-  // Replaces the members' motion by a rigid motion with the same momenta (the angular momentum to first order
-  // in the angle). Pinned members carry the free members with them.
+  // Replaces the motion of a zone's vertices by a rigid motion with the same linear and angular momentum
+  // (angular momentum to first order in the angle). Free vertices move with pinned vertices of the zone.
   template <class Move>
   static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
     double mass = 0;
@@ -283,7 +283,7 @@ std::vector<Pass<Real>> compile(const SelfCollision& settings, const EffectInput
            [collision](Archive& state) { collision->archive(state); }}};
 }
 
-// In each substep, each element is compared with all elements that lie within the thickness.
+// In each substep, every element is compared with all elements within the thickness.
 std::optional<Doubt> doubt(const SelfCollision& settings, const DoubtInput& input) {
   constexpr double most = 2;  // edges
   const double edge = input.rest.mean_edge_length();
@@ -301,7 +301,7 @@ std::optional<Doubt> doubt(const SelfCollision& settings, const DoubtInput& inpu
 
 constinit const EffectKind SelfCollision::kind{
     .name = "self_collision",
-    .summary = "cloth keeps a thickness from itself and never passes through itself",
+    .summary = "layers of cloth keep a distance from each other and never pass through each other",
     .source =
         "Müller et al. 2007, §4.3; Bridson, Fedkiw and Anderson 2002, §6-7; Li, Kaufman and Jiang 2021, §5",
     .settings = table_of<SelfCollision>(fields),

@@ -5,7 +5,7 @@
 namespace bendlab {
 namespace {
 
-// The core of a ball is its centre.
+// The core of a ball (round_obstacle.hpp) is its centre.
 template <class Real>
 struct Centre {
   std::array<Vector3Of<Real>, 1> tips;
@@ -22,7 +22,8 @@ constexpr std::array own_fields = {
     field<&Sphere::centre>({.name = "centre", .unit = "m", .meaning = "centre of the ball"}),
     field<&Sphere::radius>(
         {.name = "radius", .unit = "m", .meaning = "radius of the ball", .minimum = 0, .above = true}),
-    field<&Sphere::axis>({.name = "axis", .unit = "1", .meaning = "axis of the spin; any length but zero"}),
+    field<&Sphere::axis>(
+        {.name = "axis", .unit = "1", .meaning = "axis of the spin; any length except zero"}),
 };
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Sphere>, obstacle::spin_fields<Sphere>);
@@ -51,8 +52,8 @@ constinit const EffectKind Sphere::kind{
     .name = "sphere",
     .summary = "an obstacle: a ball that the cloth does not enter",
     .source =
-        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
-        "cutting planes",
+        "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
+        "(cutting planes)",
     .settings = table_of<Sphere>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,

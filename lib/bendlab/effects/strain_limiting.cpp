@@ -1,16 +1,17 @@
 // Strain limiting: no triangle is stretched or squeezed beyond bounds.
 //
-// F = P Q⁻¹ maps a triangle's material coordinates to space; its singular values σ₁ ≥ σ₂ are the principal
-// stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ, which follows
-// from FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. The rigid motion of the triangle is still free:
-// its centre of mass stays, which keeps linear momentum, and it turns in its plane by the angle at which Σ m
-// r × r' = 0, which keeps angular momentum; neither changes a stretch. So one projection is exact for any
-// masses. Pins are infinite masses: with one pinned corner, the triangle turns about it. With two, only the
-// free corner moves, and the bounds are met after several projections, if the pinned edge allows it.
+// F = P Q⁻¹ maps a triangle's material coordinates to space; the singular values σ₁ ≥ σ₂ of F are the
+// principal stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ. To
+// compute G, FᵀF = V Σ² Vᵀ is enough. The edges become P' = P Q⁻¹ G Q. The stretches do not determine the
+// rigid motion of the triangle. The triangle's centre of mass does not move, so that linear momentum does not
+// change. The triangle turns in its plane by the angle at which Σ m r × r' = 0, so that angular momentum does
+// not change. So one projection is exact for any masses. Pins are infinite masses. A triangle with one pinned
+// corner turns about this corner. In a triangle with two pinned corners only the free corner moves; the
+// stretches reach their bounds after several projections, if the pinned edge allows it.
 //
-// Triangles are projected one after another, each on the result of the previous triangle. A few rounds settle
-// conflicts between neighbours. A whole sheet that is too long needs about as many rounds as the square of
-// its width in triangles, as with any method that projects triangles one by one.
+// Triangles are projected one after another, each on the result of the previous triangle. If only neighbours
+// conflict, a few rounds are enough. If a whole sheet is too long, the number of rounds is about the square
+// of the sheet's width in triangles, as with any method that projects one triangle after another.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +46,7 @@ struct Triangle {
   std::array<Real, 4> inverse_rest;      // Q⁻¹ by rows, 1/m
 };
 
-// Principal stretches within bounds, from C = FᵀF.
+// Bounds on the principal stretches, which are computed from C = FᵀF.
 template <class Real>
 class Limits {
   Real min_, max_;
@@ -54,7 +55,7 @@ class Limits {
   explicit Limits(const StrainLimiting& settings)
       : min_(static_cast<Real>(settings.min)), max_(static_cast<Real>(settings.max)) {}
 
-  // G, or false where the stretches lie within bounds. C = [[xx, xy], [xy, yy]].
+  // Computes G. Returns false if the stretches are within their bounds. C = [[xx, xy], [xy, yy]].
   bool correction(Real xx, Real xy, Real yy, Matrix2<Real>& g) const {
     const Real mean = (xx + yy) / 2, half_difference = (xx - yy) / 2;
     const Real squared = half_difference * half_difference + xy * xy;
@@ -72,14 +73,14 @@ class Limits {
   }
 
  private:
-  // σ' / σ. A collapsed triangle has no direction to grow in.
+  // σ' / σ. A collapsed triangle has no direction in which it could grow.
   Real factor(Real stretch) const {
     return stretch > collapsed_ratio<Real> ? std::clamp(stretch, min_, max_) / stretch : Real(1);
   }
 };
 
-// Moves a triangle's corners so that its edges become `edges`, up to a rotation in its plane; keeps momenta
-// as described above.
+// Moves a triangle's corners so that the triangle's edges become `edges`, up to a rotation in the plane of
+// the triangle. Linear and angular momentum do not change, as described above.
 template <class Real>
 void place(std::array<Point<Real>*, 3> corners, const Edges2<Real>& edges) {
   using Vector = Vector3Of<Real>;
@@ -127,8 +128,7 @@ bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Re
   return true;
 }
 
-// Sorted by their first corner, so that neighbours are near in memory and the order is the same for any
-// number of threads.
+// Sorts triangles by their first corner, so that neighbours are near in memory, for any number of threads.
 template <class Real>
 std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
   const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());
@@ -167,10 +167,10 @@ std::vector<Pass<Real>> compile(const StrainLimiting& settings, const EffectInpu
 
 constinit const EffectKind StrainLimiting::kind{
     .name = "strain_limiting",
-    .summary = "no triangle's principal stretch leaves its bounds; keeps both momenta",
+    .summary = "bounds on the principal stretches of every triangle; preserves linear and angular momentum",
     .source =
-        "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; the turn "
-        "that keeps angular momentum is ours",
+        "Wang, O'Brien and Ramamoorthi 2010 (one triangle is limited by its singular values); the turn that "
+        "preserves angular momentum is not from a paper",
     .settings = table_of<StrainLimiting>(fields),
     .needs_projection = true,
     .keeps_momentum = true,

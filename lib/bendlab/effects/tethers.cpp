@@ -1,4 +1,4 @@
-// Tethers: no vertex gets farther from a pin than the length of cloth between them.
+// Tethers: the distance from a vertex to a pin is at most the length of cloth between vertex and pin.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,15 +22,15 @@ constexpr std::array fields = {
              "group of pins; the nearest groups come first",
          .minimum = 1,
          .maximum = 64}),
-    field<&Tethers::slack>({.name = "slack",
-                            .unit = "1",
-                            .meaning = "a tether is longer than the cloth by this fraction",
-                            .minimum = 0}),
+    field<&Tethers::slack>(
+        {.name = "slack",
+         .unit = "1",
+         .meaning = "the length of a tether is 1 + slack times the length of cloth between vertex and pin",
+         .minimum = 0}),
     field<&Tethers::distance>(
         {.name = "distance",
-         .meaning =
-             "how the length of cloth between vertex and pin is measured: geodesic, along the rest surface, "
-             "or straight (too short where the rest shape is curved or has holes)",
+         .meaning = "how the length of cloth between vertex and pin is measured: geodesic (along the rest "
+                    "surface) or straight (too short if the rest shape is curved or has holes)",
          .choices = distance_names}),
 };
 
@@ -66,7 +66,7 @@ GeodesicDistances straight_distances(const RestMesh& rest, std::span<const int> 
   return result;
 }
 
-// Ordered by vertex, with the tether to the nearest pin last: the last tether is satisfied exactly.
+// Ordered by vertex. The tether to the nearest pin is the last of its vertex, so it is satisfied exactly.
 std::vector<Tether> tethers_of(const Tethers& settings, const EffectInput& input) {
   const bool straight = settings.distance == Tethers::Distance::straight;
   std::vector<GeodesicDistances> from;
@@ -111,7 +111,8 @@ std::vector<Pass<Real>> compile(const Tethers& settings, const EffectInput& inpu
 constinit const EffectKind Tethers::kind{
     .name = "tethers",
     .summary =
-        "long-range attachments: no vertex gets farther from a pin than the length of cloth between them",
+        "long-range attachments: the distance from a vertex to a pin is at most the length of cloth between "
+        "vertex and pin",
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
     .settings = table_of<Tethers>(fields),
     .needs_projection = true,

@@ -1,4 +1,4 @@
-// Viscous drag: a force against the velocity of every free vertex, in proportion to its share of the cloth.
+// Viscous drag: a force against the velocity of every free vertex, in proportion to the vertex's area.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,19 +15,19 @@ constexpr std::array fields = {
     field<&ViscousDrag::coefficient>(
         {.name = "coefficient",
          .unit = "N s/m³",
-         .meaning =
-             "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area. A free "
-             "sheet of ρ kg/m² finally falls at ρ g/c; with pbd and substeps of h it falls slower by g h/2",
+         .meaning = "c: the force on a vertex is -c A v, where A is a third of the rest area of the vertex's "
+                    "triangles. The final speed of a free falling sheet of ρ kg/m² is ρ g/c; with pbd and "
+                    "substeps of h it is smaller by g h/2",
          .minimum = 0}),
 };
 
 // Without other forces, v' = -(c A / m) v has the solution v exp(-c A h / m), which reverses no velocity,
-// however long the step. Gravity is added before the drag, in one piece per substep. So a falling sheet ends
-// at the speed g h / (exp(k h) - 1) with k = c A / m, which is less than g / k by the fraction k h / 2.
+// even if h is large. Gravity acts before the drag, once per substep. So a falling sheet reaches the final
+// speed g h / (exp(k h) - 1) with k = c A / m, which is smaller than g / k by the fraction k h / 2.
 template <class Real>
 std::vector<Pass<Real>> compile(const ViscousDrag& settings, const EffectInput& input) {
   if (settings.coefficient == 0) return {};
-  // c A in kg/s: the lumped mass of a cloth of density c.
+  // c A in kg/s is the lumped mass of a cloth of density c.
   const std::vector<double> listed = lumped_masses(input.rest, settings.coefficient);
   std::vector<double> drag(listed.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)

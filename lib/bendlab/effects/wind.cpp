@@ -1,21 +1,22 @@
 // Wind: aerodynamic lift and drag on every triangle.
 //
 //          n        u: velocity of the triangle relative to the air, n: its normal, c = n·u / |u|
-//          |   u    drag  -½ ρ C_D A |c| |u| u                  against u; A |c| is the area that u sees
-//     _____|__/     lift  -½ ρ C_L A c (|u|² n - (n·u) u)       across u, towards where n points away from u
+//          |   u    drag  -½ ρ C_D A |c| |u| u                  against u; A |c|: area as seen along u
+//     _____|__/     lift  -½ ρ C_L A c (|u|² n - (n·u) u)       perpendicular to u
 //         A         A: the triangle's area now
 //
-// |u|² n - (n·u) u = u × (n × u) is Wilson et al.'s direction of lift. They do not weight it by c: it is then
-// largest where the air flows along the cloth, and jumps to its opposite as the cloth turns through that
-// position. With c (Keckeisen et al. 2004) it goes through zero there.
+// |u|² n - (n·u) u = u × (n × u) is Wilson et al.'s direction of lift. Wilson et al. do not multiply the lift
+// by c. So their lift is largest if the air flows along the cloth, and changes its sign suddenly if the cloth
+// turns through this position. With the factor c (Keckeisen et al. 2004) the lift is zero at this position.
 //
-// An explicit impulse h F of a strong wind would throw a light triangle beyond the air's velocity, farther in
-// each substep. So the impulse is bounded. Let m be the triangle's part of its corners' masses, and D and L
-// the sizes of drag and lift: |u + s h F / m| is least at s = m |u| D / (h (D² + L²)). The impulse is h F
-// times the smaller of s and 1, so |u| does not grow. A vertex's change is the mean of the changes that its
-// triangles would have as free pieces, weighted by mass. So (Jensen's inequality) the kinetic energy of a
-// free cloth relative to a steady uniform wind does not grow either, whatever h. If s ≥ 1, that is if (D² +
-// L²) / D ≤ m |u| / h, the force is exactly the law's.
+// With an explicit impulse h F, a strong wind would give a light triangle a velocity beyond the velocity of
+// the air, and the error would grow in each substep. So the impulse is bounded. Let m be the triangle's part
+// of its corners' masses, and D and L the sizes of drag and lift. |u + s h F / m| is least at s = m |u| D /
+// (h (D² + L²)). The impulse is h F times the smaller of s and 1, so |u| does not grow. The change of a
+// vertex's velocity is the mean, weighted by mass, of the changes that its triangles would have if they were
+// separate. So, by Jensen's inequality, the kinetic energy of a free cloth relative to a steady uniform wind
+// does not grow for any h. If s ≥ 1, which means (D² + L²) / D ≤ m |u| / h, the force is not bounded and
+// follows the law exactly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,10 +35,10 @@ constexpr std::array fields = {
     field<&Wind::velocity>(
         {.name = "velocity",
          .unit = "m/s",
-         .meaning =
-             "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it "
-             "is listed, on the velocities at the start of the substep. So terminal velocities are exact, "
-             "unless the cloth would gain more than its terminal velocity in one substep"}),
+         .meaning = "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before all other effects, "
+                    "on the velocities at the start of the substep; its place in the list does not matter. "
+                    "So terminal velocities are exact, except if the cloth gains more than its terminal "
+                    "velocity in one substep"}),
     field<&Wind::air_density>({.name = "air_density",
                                .unit = "kg/m³",
                                .meaning = "density of the air, ρ; the default is dry air at 20 °C and 101325 "
@@ -53,26 +54,25 @@ constexpr std::array fields = {
     field<&Wind::lift_coefficient>(
         {.name = "lift_coefficient",
          .unit = "1",
-         .meaning = "lift coefficient C_L; at 45 degrees, where the lift is greatest, it equals the lift of "
-                    "a wing with the coefficient C_L/2",
+         .meaning = "lift coefficient C_L. The lift is greatest at 45 degrees; there it equals the lift of a "
+                    "wing with the coefficient C_L/2",
          .minimum = 0}),
     field<&Wind::gust_amplitude>(
         {.name = "gust_amplitude",
          .unit = "1",
          .meaning =
              "standard deviation of each component of the air's velocity, as a fraction of the mean speed "
-             "(turbulence intensity); the deviation never exceeds 2.01 times that",
+             "(turbulence intensity); no component deviates by more than 2.01 times this fraction",
          .minimum = 0}),
-    field<&Wind::gust_time>({.name = "gust_time",
-                             .unit = "s",
-                             .meaning = "time from one gust to the next; the two gusts are independent",
-                             .minimum = 0,
-                             .above = true}),
-    field<&Wind::gusts_travel>(
-        {.name = "gusts_travel",
-         .meaning =
-             "gusts are carried along with the mean velocity (Taylor's frozen turbulence); otherwise the "
-             "air has one velocity everywhere"}),
+    field<&Wind::gust_time>(
+        {.name = "gust_time",
+         .unit = "s",
+         .meaning = "time from one gust to the next; successive gusts are independent of each other",
+         .minimum = 0,
+         .above = true}),
+    field<&Wind::gusts_travel>({.name = "gusts_travel",
+                                .meaning = "true: gusts move with the mean velocity (Taylor's frozen "
+                                           "turbulence); false: the air has the same velocity everywhere"}),
     field<&Wind::seed>({.name = "seed",
                         .unit = "1",
                         .meaning = "seed of the gusts; the same seed gives the same bits",
@@ -92,7 +92,7 @@ struct Air {
   Vector3 velocity_at(double time) const {
     return gusts.deviation > 0 ? Vector3(mean + gusts.at(time)) : mean;
   }
-  // The air that is now at `point` crossed the plane through the world's origin perpendicular to the wind a
+  // The air that is at `point` now was in the plane through the world's origin, perpendicular to the wind, a
   // time point·mean / |mean|² ago.
   Vector3 velocity_at(double time, const Vector3& point) const {
     return velocity_at(time - point.dot(mean) / mean.squaredNorm());
@@ -134,8 +134,8 @@ class Blowing {
     }
   }
 
-  // All triangles see the velocities from before, so the order of triangles matters only for rounding; the
-  // order is fixed.
+  // All triangles use the velocities before the pass. The order of triangles, which is fixed, affects
+  // rounding.
   void operator()(PassContext<Real>& context) {
     State<Real>& state = context.state;
     std::fill(impulse_.begin(), impulse_.end(), Vector::Zero());
@@ -191,12 +191,12 @@ bool idle(const Wind& settings) {
   return settings.air_density == 0;
 }
 
-// Air at rest only takes energy.
+// Air at rest can only remove energy from the cloth.
 bool drives(const Wind& settings) {
   return !settings.velocity.isZero(0) || settings.gust_amplitude != 0;
 }
 
-// Drag and lift on the whole cloth.
+// Bound on drag and lift on the whole cloth.
 double largest_force(const Wind& settings, double area) {
   constexpr double highest_gust = 3.5;  // 2.01 times the amplitude in each of three components
   const double speed = settings.velocity.norm() * (1 + highest_gust * settings.gust_amplitude);
@@ -204,10 +204,10 @@ double largest_force(const Wind& settings, double area) {
          (settings.drag_coefficient + settings.lift_coefficient);
 }
 
-// In a substep the wind takes at most the cloth's whole speed relative to the air, so that cloth does not fly
-// up against the wind. Cloth at the speed u relative to the air is slowed within τ = ρ / (½ ρ_air C_D u). In
-// a substep h longer than τ the force is cut: a sheet at its terminal speed (τ = u/g) falls faster than it
-// should, by 23 % at h = 1.2 τ.
+// In a substep the wind removes at most the whole speed of the cloth relative to the air, so that cloth never
+// flies up against the wind. Cloth that moves at the speed u relative to the air is slowed within the time τ
+// = ρ / (½ ρ_air C_D u). If the substep h is longer than τ, the force is reduced. For example, a sheet at its
+// terminal speed (τ = u/g) falls too fast by 23 % at h = 1.2 τ.
 std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
   const double drag = 0.5 * settings.air_density * settings.drag_coefficient,
                terminal = std::sqrt(input.density * input.gravity / drag);
@@ -217,10 +217,10 @@ std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
   constexpr double wanted = 0.5;  // substeps
   const double times = input.substep / slowed_within;
   return Doubt{
-      fmt::format("a substep of {:.2g} s is too long for the wind, which brings this cloth to the wind's "
-                  "speed within {:.2g} s: the force of the wind is cut. Set /solver/substeps to about {}",
-                  input.substep, slowed_within,
-                  static_cast<long>(std::ceil(input.substeps * times / wanted))),
+      fmt::format(
+          "a substep of {:.2g} s is too long for the wind, which accelerates this cloth to the wind's speed "
+          "within {:.2g} s. So the force of the wind is reduced. Set /solver/substeps to about {}",
+          input.substep, slowed_within, static_cast<long>(std::ceil(input.substeps * times / wanted))),
       times, fmt::format("{:.2g} times", times)};
 }
 
@@ -230,7 +230,8 @@ constinit const EffectKind Wind::kind{
     .name = "wind",
     .summary = "aerodynamic drag and lift on every triangle, of a steady or gusting wind or of air at rest",
     .source =
-        "Wilson et al. 2014 (drag, direction of lift) with Keckeisen et al. 2004's lift, zero along the flow",
+        "Wilson et al. 2014 (drag, direction of lift) and Keckeisen et al. 2004 (size of the lift, zero for "
+        "cloth along the flow)",
     .settings = table_of<Wind>(fields),
     .acts_first = true,
     .force_follows_pose = true,

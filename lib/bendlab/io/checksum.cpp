@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view mark = "\nbendlab XXH3-128 ";
 constexpr std::size_t digits = 32, seal_length = mark.size() + digits + 1;
 
-// The checksum of the first `bytes` bytes of the file.
+// The checksum of the file's first `bytes` bytes.
 std::string checksum_of(const fs::path& file, std::uint64_t bytes) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   XXH3_128bits_reset(state.get());

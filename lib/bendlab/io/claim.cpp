@@ -44,9 +44,9 @@ std::string host() {
   return name;
 }
 
-// When a process began, in clock ticks since the machine was started; "" if there is no such process or if it
-// has ended (it may still be listed until its parent has waited for it). A process's number is used again,
-// but not with the same beginning.
+// When a process began, in clock ticks since the machine was started. "" if the process does not exist or has
+// ended; an ended process may be listed until its parent has waited for it. The number of an ended process is
+// used again, but the new process has another beginning.
 std::string beginning_of(long process) {
   const std::string line = first_line(fmt::format("/proc/{}/stat", process));
   const std::size_t end_of_name = line.rfind(')');
@@ -66,7 +66,7 @@ std::string namespace_of_processes() {
   return fs::read_symlink("/proc/self/ns/pid", ignored).string();
 }
 
-// Names this start of this machine, and this container: processes can be looked up only there.
+// Identifies this container and this start of the machine: numbers of processes are valid only there.
 const std::string& where_processes_are_known() {
   static const std::string here =
       first_line("/proc/sys/kernel/random/boot_id") + " " + namespace_of_processes();
@@ -86,7 +86,7 @@ struct Owner {
   std::string text(std::uint64_t beats) const {
     return fmt::format("{}\n{}\n{}\n{}\n{}\n{:020}\n", token, host, process, beginning, place, beats);
   }
-  // An empty owner if the file does not exist (any more).
+  // Empty if the file does not exist, for example because it was deleted.
   static Owner read(const fs::path& file) {
     Owner owner;
     std::ifstream stream(file);
@@ -104,7 +104,7 @@ struct Owner {
   std::string name() const { return fmt::format("process {} on {}", process, host); }
 };
 
-// n if the name is run.claim.<n>, else 0.
+// n for the name run.claim.<n>, and 0 for other names.
 int number_of(const std::string& name) {
   int number = 0;
   if (!name.starts_with(prefix)) return 0;
@@ -132,15 +132,14 @@ fs::path claim_file(const fs::path& folder, int number) {
   return folder / fmt::format("{}{}", prefix, number);
 }
 
-// Makes the file unless it exists. Returns whether this call made it. The file has its whole text from the
-// start: a draft is written and then linked to the file's name, if the file system has links.
+// Makes the file if it does not exist. Returns whether this call made the file. No process can read a part of
+// the text: a draft is written first and then linked to the file's name, if the file system has links.
 bool make(const fs::path& file, const std::string& text, const std::string& token) {
   const fs::path draft = file.parent_path() / ("run.claim-" + token);
   write_new(draft, text);
   const int linked = ::link(draft.c_str(), file.c_str()), code = errno;
   struct stat status {};
-  // The answer of a network file system may be lost. Then the number of links shows whether the link was
-  // made.
+  // The answer of a network file system may not arrive. So the number of links tells if the link was made.
   const bool made = linked == 0 || (::stat(draft.c_str(), &status) == 0 && status.st_nlink == 2);
   ::unlink(draft.c_str());
   if (made || code == EEXIST) return made;
@@ -186,14 +185,14 @@ class Heart {
   std::jthread thread_;
 };
 
-// Watches the owners of a folder, each of them for the time of a lease.
+// Watches the owner of a folder. An owner on another machine loses the folder if its count does not grow.
 class Watch {
  public:
   explicit Watch(std::chrono::duration<double> lease) : lease_(lease) {}
 
   bool is_over(const Owner& owner) {
     if (owner.is_dead()) return true;
-    if (owner.is_known_here() && !owner.token.empty()) return false;  // its process lives
+    if (owner.is_known_here() && !owner.token.empty()) return false;  // the owner's process lives
     if (owner.token != token_ || owner.count != count_) {
       has_beaten_ = owner.token == token_;
       token_ = owner.token, count_ = owner.count, since_ = Clock::now();
@@ -201,7 +200,7 @@ class Watch {
     }
     return Clock::now() - since_ > lease_;
   }
-  // Whether the owner is known to live. Call it after is_over() has returned false.
+  // Whether the owner surely lives. Call this function only after is_over() has returned false.
   bool lives(const Owner& owner) const {
     return !owner.token.empty() && (owner.is_known_here() || has_beaten_);
   }
@@ -238,8 +237,7 @@ std::unique_ptr<Claim> Claim::of(const fs::path& folder, const Options& options)
     if (last == 0 || watch.is_over(owner)) {
       const fs::path file = claim_file(folder, last + 1);
       if (make(file, self.text(0), self.token)) {
-        // The list of files may have been out of date: the folder belongs to the process that made the
-        // highest number.
+        // `numbers` may be out of date. The folder belongs to the process that made the highest number.
         if (highest_in(folder) <= last + 1) {
           for (const int number : numbers) ::unlink(claim_file(folder, number).c_str());
           Heart::of_this_process().begin(file, self);

@@ -1,11 +1,12 @@
-// Which process may write into a folder: at most one at a time, on one machine or on many that share a disk.
+// Decides which process may write into a folder. At most one process may write at a time, on one machine or
+// on several machines that share a disk.
 //
 //   run.claim.<n>     made by link() or O_EXCL, which are atomic on NFS, too; the highest n counts
 //
-// The file's text names the owner and holds a count that grows, the heartbeat. An owner loses the folder if
-// its process on this machine has ended, or if its count stands still for the time of a lease. Then the
-// process that makes the file n + 1 is the new owner. Clocks of different machines are not compared: every
-// process waits by its own clock.
+// The text of the file has the owner's name and a count that grows, the heartbeat. An owner loses the folder
+// if its process, on this machine, has ended, or if its count does not grow for the time of a lease. When an
+// owner has lost the folder, the process that makes the file n + 1 is the new owner. Every process measures
+// the lease with its own clock, because clocks of different machines may differ.
 #pragma once
 
 #include <chrono>
@@ -16,7 +17,7 @@
 
 namespace bendlab {
 
-/// A token that is made only once, on this machine and on all others: "<host>-<process>-<random>-<count>".
+/// A token that no other call on any machine returns: "<host>-<process>-<random>-<count>".
 std::string unique_token();
 
 /// What to do about a folder that another process owns.
@@ -26,21 +27,21 @@ enum class WhenOwned {
   leave,         ///< leave the folder at once, unless its owner is known to be dead
 };
 
-/// A claim of one owner in one process to a folder. The folder is released when the object is destroyed.
+/// The right to write into a folder, until the object is destroyed.
 class Claim {
  public:
   struct Options {
-    /// After this time, the folder of a silent owner on another machine is taken over.
+    /// If an owner on another machine writes no heartbeat for this time, it loses the folder.
     std::chrono::duration<double> lease = std::chrono::seconds(60);
-    /// Called while waiting. If it returns true, the wait ends without a claim.
+    /// Called while waiting. If `give_up` returns true, the wait ends without a claim.
     std::function<bool()> give_up = {};
-    /// There is no claim to a folder that is left to its owner.
+    /// What to do if the folder has an owner. If the folder is left to its owner, of() returns null.
     WhenOwned when_owned = WhenOwned::wait;
     std::function<void(const std::string&)> waiting_for = {};  ///< called once with the owner's name
   };
 
-  /// Waits until no other owner, be it a thread or a process, has the folder. Returns null if `give_up` says
-  /// so, or if the folder is left to its owner. Throws RunFileError if the folder cannot be written.
+  /// Waits until no other thread or process owns the folder. Returns null if `give_up` returns true, or if
+  /// the folder is left to its owner. Throws RunFileError if the folder cannot be written.
   static std::unique_ptr<Claim> of(const std::filesystem::path& folder, const Options& options);
   static std::unique_ptr<Claim> of(const std::filesystem::path& folder) { return of(folder, Options{}); }
 
@@ -48,8 +49,8 @@ class Claim {
   Claim(const Claim&) = delete;
   Claim& operator=(const Claim&) = delete;
 
-  /// Whether the folder is still ours. If the machine slept for longer than a lease, another process may have
-  /// taken it over.
+  /// Whether this object still owns the folder. If the machine slept for longer than a lease, another process
+  /// may own the folder now.
   bool holds() const;
   const std::string& token() const { return token_; }
 
@@ -60,12 +61,12 @@ class Claim {
   std::string token_;
 };
 
-/// A text that changes while the owner of a folder lives: compare two texts, taken a lease apart. Empty if
-/// the folder seems to have no living owner.
+/// A text that changes at least once per lease while the owner of a folder lives. Empty if the folder seems
+/// to have no living owner.
 std::string heartbeat_in(const std::filesystem::path& folder);
 
-/// "process 123 on <host>" if the folder seems to have a living owner, else "". Does not wait, so an owner on
-/// another machine is assumed to be alive.
+/// "process 123 on <host>" if the folder seems to have a living owner, and "" otherwise. The function does
+/// not wait, so it assumes that an owner on another machine is alive.
 std::string owner_of(const std::filesystem::path& folder);
 
 }  // namespace bendlab

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file descriptor; -1 if open() failed, with its errno.
+/// A file descriptor; -1 if open() failed. errno states the reason.
 class Descriptor {
  public:
   Descriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
@@ -37,7 +37,7 @@ RunFileError system_error(const fs::path& path, const std::string& what) {
 
 void wait_for_disk(const fs::path& path, int flags) {
   const Descriptor descriptor(path, flags);
-  // Some network file systems refuse fsync of a folder with EINVAL: then there is nothing to wait for.
+  // Some network file systems refuse fsync of a folder with EINVAL. The function ignores this error.
   if (descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL))
     throw system_error(path, "can't be flushed to the disk");
 }
@@ -47,17 +47,17 @@ std::string advice(int code) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "Free some space or choose another folder, and run again; the data that were written "
-             "before stay readable";
+      return "Free some space or choose another folder, and run again; data that were written before can "
+             "still be read";
     case EACCES:
     case EPERM:
     case EROFS:
-      return "Choose a folder you may write to, or change its permissions";
+      return "Choose a folder in which you may write, or change the permissions of this folder";
     case ENOENT:
     case ENOTDIR:
-      return "Check the path; its folder has to exist";
+      return "Check the path; its folder must exist";
     case EWOULDBLOCK:
-      return "Wait for the process that is writing it, or stop that process";
+      return "Wait until the process that writes this file has ended, or stop the process";
     default:
       return "Check the file and its disk";
   }
@@ -95,7 +95,7 @@ void require_readable(const fs::path& file) {
 
 void remove_abandoned(const fs::path& file) {
   const Descriptor descriptor(file, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
-  // HDF5 takes the same lock.
+  // HDF5 locks files in the same way.
   if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw file_error(file, "can't be written", "another writer is at work on it", EWOULDBLOCK);
   if (::unlink(file.c_str()) != 0 && errno != ENOENT) throw system_error(file, "can't be written");

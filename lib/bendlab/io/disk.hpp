@@ -1,4 +1,4 @@
-// Disk errors with advice, and a rename that survives a power cut.
+// Errors of the disk with advice, and functions whose results survive a power cut.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// "<path>: <what>: <reason>. <what to do>"; `code` is the errno that chooses the advice, 0 for none.
+/// "<path>: <what>: <reason>. <what to do>". `code`, an errno or 0, determines what to do.
 RunFileError file_error(const std::filesystem::path& path, const std::string& what, const std::string& reason,
                         int code);
 
@@ -19,17 +19,17 @@ void make_folder(const std::filesystem::path& folder);
 /// `file` with the suffix `.part`.
 std::filesystem::path part_path(const std::filesystem::path& file);
 
-/// Throws RunFileError unless `file` is a regular file (no folder or pipe) and can be opened for reading.
+/// Throws RunFileError if `file` is not a regular file (for example a folder or a pipe), or cannot be read.
 void require_readable(const std::filesystem::path& file);
 
-/// Removes a file that a writer left behind, or a link of that name. Throws RunFileError if a writer has the
-/// file open.
+/// Removes a file of an ended writer, or a link with this name. Throws RunFileError if a writer has the file
+/// open.
 void remove_abandoned(const std::filesystem::path& file);
 
 enum class Existing { is_an_error, is_no_error };
 
-/// Makes a file with this text. If the name exists, as a file or a link, it is not touched: then the function
-/// returns false, or throws RunFileError if that is an error (`existing`). Throws RunFileError for every
+/// Makes a file with this text. If a file or a link with this name exists, the function does not change it:
+/// `existing` says whether the function returns false or throws RunFileError. Throws RunFileError for every
 /// other failure.
 bool write_new(const std::filesystem::path& file, std::string_view text,
                Existing existing = Existing::is_an_error);
@@ -40,13 +40,14 @@ void overwrite(const std::filesystem::path& file, std::string_view text) noexcep
 enum class Wait { for_disk, no };
 
 /// Replaces a file in one step: readers see the old text or the new text, also after a power cut. Several
-/// processes may do this at once. A link of that name is replaced, not followed. Throws RunFileError.
+/// processes may replace the file at once. A link with this name is replaced; the file to which the link
+/// leads does not change. Throws RunFileError.
 void replace_file(const std::filesystem::path& file, std::string_view text, Wait wait = Wait::for_disk);
 
 /// Waits until the file is on the disk. Throws RunFileError.
 void synchronise(const std::filesystem::path& file);
 
-/// Flushes `part` to the disk, renames it to `file` and flushes the rename. Throws RunFileError.
+/// Flushes `part` to the disk, renames `part` to `file`, and flushes the folder, too. Throws RunFileError.
 void publish(const std::filesystem::path& part, const std::filesystem::path& file,
              Wait wait = Wait::for_disk);
 

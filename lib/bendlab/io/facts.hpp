@@ -1,4 +1,4 @@
-// Facts of a run, which are everything but its arrays, as JSON. They are in the run's file, in the index of a
+// The facts of a run: all its data except arrays, as JSON. Facts are in the run's file, in the index of a
 // folder, and in the answer of a process that reads a file.
 #pragma once
 
@@ -10,20 +10,19 @@ namespace bendlab {
 
 using Json = nlohmann::ordered_json;
 
-/// Everything of a header but its arrays, for a run that has not ended; facts.merge_patch(facts_of(footer))
-/// adds the facts of its end. Throws Json::exception if the config is not JSON.
+/// Facts of a run that has not ended. facts.merge_patch(facts_of(footer)) adds the facts of the run's end.
+/// Throws Json::exception if the config is not JSON.
 Json facts_of(const RunHeader& header);
 Json facts_of(const RunFooter& footer);
 
-/// The part of these facts that a RunRecord has, and `frames`.
+/// The facts that a RunRecord has, and `frames`.
 Json facts_of(const RunRecord& run);
 
-/// Reads facts of a file or of a RunRecord; summary, provenance and config may be missing. Throws
-/// Json::exception or std::invalid_argument.
+/// Makes a RunRecord from the facts of a file, or from the result of facts_of(RunRecord). Summary, provenance
+/// and config may be missing. Throws Json::exception or std::invalid_argument.
 RunRecord record_of(const Json& json, const std::filesystem::path& file);
 
-/// A number as JSON. NaN and infinities, for which JSON has no numbers, become the texts "nan", "inf" and
-/// "-inf".
+/// A number as JSON, which has no NaN and infinities: they become the texts "nan", "inf" and "-inf".
 Json number_json(double number);
 double number_of(const Json& json);
 

@@ -20,30 +20,30 @@ class FrameWriter {
  public:
   static constexpr std::size_t capacity = 4;  ///< frames: enough to bridge a slow write, few enough to keep
 
-  /// `prepare` is called on the writer thread before a frame is written, one frame at a time in order: it
-  /// fills metrics and cell fields from time and positions. The caller may touch the data that `prepare`
-  /// accesses only after drain(). Throws RunFileError if the file can't be created.
+  /// The writer thread calls `prepare` before it writes a frame, for one frame after another. `prepare`
+  /// computes metrics and cell fields from time and positions. The caller may use data that `prepare` uses
+  /// only after drain(). Throws RunFileError if the file can't be created.
   FrameWriter(const std::filesystem::path& path, const RunHeader& header,
               std::function<void(Frame&)> prepare = {}, const std::filesystem::path& part = {},
               const EarlierFrames& earlier = {}, const InMemory& first = {});
 
-  /// Writes the queued frames and closes the file. Without finish() the .part file stays.
+  /// Writes the queued frames and closes the file. Without finish() the file keeps its suffix .part.
   ~FrameWriter();
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Hands a frame over; waits while the queue is full. Throws the exception that stopped the thread, if any:
-  /// a RunFileError, or an exception of `prepare`. The frames before the failing frame are in the file.
+  /// Puts a frame into the queue; waits while the queue is full. If an exception has stopped the thread (a
+  /// RunFileError, or from `prepare`), throws this exception. All earlier frames are in the file.
   void push(Frame frame);
 
-  /// Waits until every frame pushed is in the file. Throws as push() does.
+  /// Waits until all frames of the queue are in the file. Throws the same exceptions as push().
   void drain();
 
   /// Calls drain(), and waits until all written frames are on the disk.
   void synchronise();
 
-  /// Calls drain(), then RunFileWriter::finish(). If the caller already got an exception of `prepare`,
-  /// finishes the file with the frames before it.
+  /// Calls drain(), then RunFileWriter::finish(). If push() or drain() has already thrown an exception of
+  /// `prepare`, the file has the frames before the exception.
   void finish(const RunFooter& footer);
 
   std::uint64_t frames() const;  ///< written so far

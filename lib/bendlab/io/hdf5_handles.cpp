@@ -28,10 +28,10 @@ Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = null
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose};
 }
 
-// HDF5 1.10 crashes if it cannot allocate the cache of a file, more than half a megabyte.
+// HDF5 1.10 crashes if it cannot allocate the cache of a file, which takes more than half a megabyte.
 void require_memory_of_cache() {
   constexpr std::size_t bytes = 4 << 20;
-  void* const volatile memory = std::malloc(bytes);  // volatile: else malloc may be optimised away
+  void* const volatile memory = std::malloc(bytes);  // volatile: the compiler must not remove malloc
   if (memory == nullptr) throw std::bad_alloc();
   std::free(memory);
 }
@@ -39,8 +39,8 @@ void require_memory_of_cache() {
 Handle file_access() {
   require_memory_of_cache();
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // A lock keeps other processes away from a file that is being written. Locking is optional, because some
-  // file systems have no locks.
+  // While a process writes a file, a lock prevents other processes from opening it. Locking is optional,
+  // because some file systems have no locks.
   check(H5Pset_file_locking(access, true, true));
   return access;
 }
@@ -55,7 +55,7 @@ Failure system_failure(int code) {
   return Failure(std::system_category().message(code), code);
 }
 
-/// Property list for creating datasets: without time stamps, so that equal runs give equal bytes.
+/// Property list for creating datasets. Datasets have no time stamps, so that equal runs give equal bytes.
 Handle dataset_creation() {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(creation, false));
@@ -64,9 +64,9 @@ Handle dataset_creation() {
 
 bool is_small = false;  // within a SmallScope; the Lock guards it
 
-/// Property list for creating groups, the root among them. Links and attributes stay in the group's own
-/// header, however many there are: a separate index would take more space than a run of four frames. The
-/// header gets room for `links` links at once.
+/// Property list for creating groups and the root group. All links and attributes are in the group's own
+/// header, because a separate index would take more space than a run of four frames. The header gets space
+/// for `links` links from the start.
 Handle group_creation(hid_t kind, unsigned links) {
   constexpr unsigned most = 10000, letters = 9;  // in a usual name
   Handle creation(H5Pcreate(kind), H5Pclose);
@@ -77,11 +77,11 @@ Handle group_creation(hid_t kind, unsigned links) {
   return creation;
 }
 
-/// Datasets created in this scope have the format of HDF5 1.10. Its chunk index is an extensible array, whose
-/// entries stay where they were written. The default index is a B-tree: its nodes split every 32 chunks, and
-/// if a process is killed between the writes of both halves, a dataset is lost (in 13 of 1500 kills of a run
-/// that only writes). The superblock keeps an old version, because a file with the newest version refuses to
-/// open after a crash.
+/// Datasets that are created in this scope have the format of HDF5 1.10. The chunk index of this format is an
+/// extensible array, whose entries are never moved. The default index is a B-tree, whose nodes split every 32
+/// chunks. If a process is killed after it has written only one half of a node, a dataset becomes unreadable
+/// (in 13 of 1500 kills of a run that only writes). The superblock has an old version, because HDF5 does not
+/// open a file of the newest version after a crash.
 class ExtensibleArrayScope {
  public:
   explicit ExtensibleArrayScope(hid_t object) : file_(H5Iget_file_id(object), H5Fclose) {
@@ -103,8 +103,8 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, hid_t sp
 }  // namespace
 
 Lock::Lock() : guard_(library_mutex()) {
-  // Handles close the files. On a full disk closing fails, and the library's own attempt to close the file at
-  // the end of the process would crash.
+  // Handles close the files. On a full disk closing fails. The library would try to close the file again at
+  // the end of the process, and crash.
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
@@ -114,8 +114,8 @@ Failure last_failure() {
     std::string text;
     int code = 0;
   } cause;
-  // Goes from the call that failed first up to our call. The first text is the cause, unless a text contains
-  // an errno.
+  // Goes from the innermost call that failed to the outermost call. If a text contains an errno, this errno
+  // is the cause; otherwise the first text is the cause.
   const auto visit = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
     auto& recorded = *static_cast<Cause*>(out);
     const std::string text = error->desc ? error->desc : "";
@@ -133,8 +133,8 @@ Failure last_failure() {
 
 Handle create_file(const std::string& path) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  // Keeps every small piece of metadata within a memory page: a process that is killed during a write may
-  // leave the first of two pages new and the second old, so that the checksum of the piece fails.
+  // Every small piece of metadata lies within one memory page. If it were on two pages, a process that is
+  // killed during a write could write only the first page, and the checksum of the piece would be wrong.
   check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_PAGE, false, 1));
   check(H5Pset_file_space_page_size(creation, 4096));
   return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, file_access()), H5Fclose};
@@ -146,11 +146,11 @@ Handle create_small_file(const std::string& path) {
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fapl_core(access, growth, true));
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST));
-  // Every piece of data gets a place of exactly its own size, instead of a share of a larger block.
+  // Every piece of data takes exactly its own size, instead of a part of a larger block.
   check(H5Pset_meta_block_size(access, 0));
   check(H5Pset_small_data_block_size(access, 0));
   Handle file(H5Fcreate(path.c_str(), H5F_ACC_EXCL, group_creation(H5P_FILE_CREATE, 4), access), H5Fclose);
-  // From HDF5 1.10 on, a dataset of one chunk needs no index. The superblock keeps the version of 1.8.
+  // Since HDF5 1.10, a dataset of one chunk needs no index. The superblock still has the version of HDF5 1.8.
   check(H5Fset_libver_bounds(file, H5F_LIBVER_V110, H5F_LIBVER_LATEST));
   return file;
 }
@@ -179,8 +179,9 @@ Handle open_with_all_bytes(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
   const auto failed = [&](int code) {
     const char* const named = std::getenv("TMPDIR");
-    return Failure(fmt::format("it can't be copied to {}, the folder for temporary files (TMPDIR): {}",
-                               named ? named : folder.c_str(), system_failure(code).what()));
+    return Failure(
+        fmt::format("the file can't be copied to {}, the folder for temporary files (set by TMPDIR): {}",
+                    named ? named : folder.c_str(), system_failure(code).what()));
   };
   if (error) throw failed(error.value());
   std::string copy = (folder / "bendlab-XXXXXX").string();
@@ -193,10 +194,10 @@ Handle open_with_all_bytes(const std::string& path) {
   } const removed{copy};
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
   if (error) throw failed(error.value());
-  // The copy got the permissions of the original, which may be read-only.
+  // The copy has the permissions of the original, which may be read-only.
   if (chmod(copy.c_str(), S_IRUSR | S_IWUSR) != 0) throw failed(errno);
   Handle file(H5Fopen(copy.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
-  check(H5Fincrement_filesize(file, 0));  // the stated end becomes the end of its bytes
+  check(H5Fincrement_filesize(file, 0));  // sets the stated end to the end of the bytes
   return file;
 }
 
@@ -211,8 +212,7 @@ void require_room(hid_t file, std::uint64_t bytes) {
 }
 
 void flush(hid_t file) {
-  // The superblock stores the end of the file, and a file that is shorter doesn't open. So the file is
-  // lengthened first.
+  // HDF5 does not open a file that ends before the end in its superblock. So the file is made longer first.
   hsize_t end = 0;
   struct stat status {};
   check(H5Fget_filesize(file, &end));
@@ -273,10 +273,10 @@ void write_ascii_attribute(hid_t object, const std::string& name, const std::str
 
 namespace {
 
-/// For an array of up to 32 KiB in a small file. A larger array would take a millisecond.
+/// For an array of up to 32 KiB in a small file. To compress a larger array would take a millisecond.
 void compress_small(hid_t creation, hid_t type, std::span<const hsize_t> shape, std::size_t bytes) {
-  constexpr std::size_t in_header = 96;  // bytes; a chunk takes 60 more, which compression has to save
-  check(H5Pset_dset_no_attrs_hint(creation, true));  // else 200 bytes are reserved for attributes
+  constexpr std::size_t in_header = 96;              // bytes; a chunk takes 60 bytes more
+  check(H5Pset_dset_no_attrs_hint(creation, true));  // saves 200 bytes for attributes
   check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
   if (bytes == 0) return;
   if (bytes <= in_header) {
@@ -284,18 +284,18 @@ void compress_small(hid_t creation, hid_t type, std::span<const hsize_t> shape, 
     return;
   }
   check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
-  // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many
-  // of them are the same from frame to frame, so their bytes repeat without sorting.
+  // Integers compress better if their bytes are sorted by significance. Sorting does not help metrics and
+  // positions: many of their numbers are equal in successive frames, so the bytes repeat without sorting.
   if (H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) > 1) check(H5Pset_shuffle(creation));
   check(H5Pset_deflate(creation, 9));
 }
 
 void compress_large(hid_t creation, std::span<const hsize_t> shape) {
-  constexpr hsize_t rows_per_chunk = 65536;  // below HDF5's limit of 4 GiB, and worth compressing
+  constexpr hsize_t rows_per_chunk = 65536;  // below HDF5's limit of 4 GiB, and enough to compress
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
   chunk[0] = std::min(chunk[0], rows_per_chunk);
   check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-  check(H5Pset_shuffle(creation));  // vertex numbers compress better with bytes sorted by significance
+  check(H5Pset_shuffle(creation));  // sorts bytes by significance: vertex numbers compress better
   check(H5Pset_deflate(creation, 1));
 }
 
@@ -308,7 +308,7 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
   for (const hsize_t length : shape) bytes *= length;
   if (is_small && bytes <= 32768)
     compress_small(creation, type, shape, bytes);
-  else if (compression == Compression::always && shape[0] > 1024)  // a smaller array is not worth an index
+  else if (compression == Compression::always && shape[0] > 1024)  // a smaller array needs no index
     compress_large(creation, shape);
   const Handle dataset(
       H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
@@ -357,8 +357,8 @@ Series::Series(hid_t parent, const std::string& name, const Layout& layout)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &nan));
   check(H5Pset_chunk(creation, static_cast<int>(rank), chunk.data()));
-  // There is no chunk cache, so that append() writes values to the file, or fails, before they are in the
-  // chunk index.
+  // Without a chunk cache, append() writes values to the file before it adds their chunk to the index. If
+  // writing fails, the index does not change.
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   check(H5Pset_chunk_cache(access, 1, 0, 1));
   const Handle space = simple_space(std::span(initial).first(rank), limits.data());

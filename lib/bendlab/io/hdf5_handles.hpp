@@ -1,7 +1,7 @@
-// The HDF5 C library behind a few small types. Only sources of this folder include this header.
+// A few small types around the HDF5 C library. Only sources of this folder include this header.
 //
-// Use everything here under a Lock: threads of one process write several runs, and not every build of the
-// library is thread-safe.
+// Use all types and functions only while a Lock exists: several threads of a process write runs, and not
+// every build of HDF5 is thread-safe.
 #pragma once
 
 #include <hdf5.h>
@@ -19,7 +19,7 @@
 
 namespace bendlab::hdf5 {
 
-/// A call of the library failed. what() is the reason: the system's text if there is one, else the library's.
+/// A call of HDF5 failed. what() is the system's text for the reason, or else the text of HDF5.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& text, int code = 0) : std::runtime_error(text), code_(code) {}
@@ -29,11 +29,11 @@ class Failure : public std::runtime_error {
   int code_;
 };
 
-/// The Failure that the library's error stack of this thread describes.
+/// The Failure that the error stack of HDF5 in this thread describes.
 Failure last_failure();
 
-/// The process-wide lock. Also turns off the library's own printing, which every thread has to do, and
-/// suspends floating-point traps, so that the library may convert a NaN as a fill value.
+/// The process-wide lock. Also prevents HDF5 from printing errors in this thread, and suspends floating-point
+/// traps, because HDF5 converts the fill value NaN.
 class Lock {
  public:
   Lock();
@@ -43,7 +43,7 @@ class Lock {
   WithoutTraps without_traps_;
 };
 
-/// Returns the result, or throws last_failure() if it is negative.
+/// Returns `result`, or throws last_failure() if `result` is negative.
 template <class Result>
 Result check(Result result) {
   if (result < 0) throw last_failure();
@@ -89,18 +89,18 @@ hid_t type_of() {
 Handle create_file(const std::string& path);                 ///< fails if the file exists
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
-/// Whether the file has bytes after the end that it states. A flush writes this end last. So a process that
-/// is killed during a flush may leave data after the stated end, which HDF5 then refuses to read.
+/// Whether the file has bytes after the end that its superblock states. A flush writes this end last. If a
+/// process is killed during a flush, HDF5 does not read the data after the stated end.
 bool ends_before_its_bytes(hid_t file);
-/// Opens a temporary copy of such a file for reading, with all its bytes.
+/// Opens a temporary copy of a file for reading; the stated end of the copy is the end of its bytes.
 Handle open_with_all_bytes(const std::string& path);
 
-/// Creates a file that is in memory until it is closed. It has the formats of HDF5 1.8 and 1.10, which take
-/// less space than the oldest format. Fails if the file exists.
+/// Creates a file that is in memory until it is closed. The file has the formats of HDF5 1.8 and 1.10, which
+/// take less space than the oldest format. Fails if the file exists.
 Handle create_small_file(const std::string& path);
 
-/// For a file that is written at once and never grows: in this scope, arrays of a few numbers lie in the
-/// headers of their datasets, and larger arrays of up to 32 KiB are compressed.
+/// Saves space in a file that is written at once and never grows. In this scope, arrays of a few numbers are
+/// in the headers of their datasets, and larger arrays of up to 32 KiB are compressed.
 class SmallScope {
  public:
   SmallScope();
@@ -109,21 +109,19 @@ class SmallScope {
   SmallScope& operator=(const SmallScope&) = delete;
 };
 
-/// Throws Failure unless the disk has room for 8 times `bytes`, because other runs may be writing, too. Call
-/// it before a flush: a flush that fails half-way on a full disk can leave a file that doesn't open.
+/// Throws Failure if the disk has less space than 8 times `bytes`, because other runs may be writing, too.
+/// Call this function before a flush: a file whose flush failed on a full disk may not open.
 void require_room(hid_t file, std::uint64_t bytes);
 
-/// Hands the written data to the operating system. They survive the end of the process, but perhaps not a
-/// power cut.
+/// Gives the written data to the operating system: the data survive the process, but perhaps not a power cut.
 void flush(hid_t file);
 
-/// `links` is the number of links that the group will have, if that is known. Then its header takes no more
-/// room than it needs.
+/// `links` is the expected number of links. With the right number the group's header wastes no space.
 Handle create_group(hid_t parent, const std::string& name, unsigned links = 4);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
-/// Gives parent/object a second name, parent/name, instead of a copy with the same values.
+/// Gives parent/object the second name parent/name, so that the values are stored once.
 void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
@@ -131,7 +129,7 @@ void write_attribute(hid_t object, const std::string& name, std::int64_t number)
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> numbers);
 void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
 
-/// When an array of many numbers is compressed. `if_small` means only in a SmallScope.
+/// When an array of many numbers is compressed: always, or only in a SmallScope (`if_small`).
 enum class Compression { always, if_small };
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape, Compression compression);
@@ -165,10 +163,10 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
   return read_rows<T>(dataset, 0, shape_of(dataset).at(0));
 }
 
-/// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
-/// never written read as NaN: on a full disk, a dataset may grow without its values being written. The
-/// dataset is not compressed: gzip saves 30 % of a moving cloth's frames, but takes more time than all
-/// metrics together.
+/// A dataset of floating-point numbers that grows by the same number of rows with every frame. If the disk
+/// becomes full, a dataset may have grown although the values of the last rows are not written; such values
+/// are read as NaN. The dataset is not compressed: gzip saves 30 % of the size of a moving cloth's frames,
+/// but takes more time than all metrics together.
 class Series {
  public:
   struct Layout {

@@ -10,7 +10,7 @@ namespace {
 
 using hdf5::Handle;
 
-/// Writes one of the four cell arrays that PolyData has: #C cells of `vertices_per_cell` vertices.
+/// Writes one of the four cell arrays of PolyData: #C cells of `vertices_per_cell` vertices.
 void write_cells(hid_t vtk, const std::string& name, const std::vector<int>& vertices,
                  int vertices_per_cell) {
   const Handle group = hdf5::create_group(vtk, name);
@@ -49,9 +49,9 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Rows first … first + count of a dataset of `rows` rows. The XML comment inside differs from frame to
-/// frame, because ParaView's Xdmf reader takes the first text in a geometry's item as the name of its data.
-/// If two geometries had the same name, it would show the first again instead of reading the second.
+/// XML for the rows first … first + count of a dataset of `rows` rows. ParaView's Xdmf reader takes the first
+/// text in a geometry's item as the name of its data. If two geometries had the same name, the reader would
+/// show the first geometry twice. So the text contains an XML comment that is different in every frame.
 std::string hyperslab(const std::string& dataset, const std::string& number, std::uint64_t first,
                       std::uint64_t count, std::uint64_t rows, int columns) {
   const auto shape = [&](std::uint64_t n) {

@@ -1,9 +1,9 @@
-// One HDF5 file per run, for us and for ParaView: VTKHDF 2.0 PolyData with Steps, and our own groups beside
-// it.
+// One HDF5 file per run, for bendlab and for ParaView. The group /VTKHDF (VTKHDF 2.0 PolyData with Steps) is
+// for ParaView; the other groups are for bendlab.
 //
-//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps). Points
-//                           are float64 if the solver's positions are, or if the cloth is so far from the
-//                           origin that float32 would change its edges (mesh/single_precision.hpp)
+//   /VTKHDF                 the run for ParaView (Points, Polygons, PointData, CellData, Steps). Points are
+//                           float64 if the solver's positions are float64, or if the cloth is so far from
+//                           the origin that float32 would change its edges (mesh/single_precision.hpp)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
 //   /metrics/values         a row per recorded frame (F, C); the first column is the time
 //   /constraints/<kind>     vertices, rest values and softness, only on request
@@ -12,14 +12,14 @@
 //   /about                  units and meanings of summary metrics and settings, as a compressed JSON text:
 //                           {"summary": {name: [unit, meaning]}, "settings": {pointer: [unit, meaning]}}
 //   /provenance/inputs/<k>  the bytes of the k-th file that the config names
-//   /facts                  everything else, as a compressed JSON text. A file that grows with its run has
-//                           the facts of the run's start here, and those of its end in /outcome
+//   /facts                  all other data, as a compressed JSON text. If the file grows with its run, /facts
+//                           has the facts of the run's start, and /outcome has the facts of the run's end
 //
-// The JSON object has:
+// The JSON object of the facts has:
 //
 //   id, name, config        texts, and the resolved config
 //   status                  running | complete | diverged | interrupted | implausible
-//   metrics, units, meanings  of the columns of /metrics/values
+//   metrics, units, meanings  names, units and meanings of the columns of /metrics/values
 //   cell_fields             {name: [unit, meaning]}
 //   constraints, hashes     {kind: number}, {kind: text}
 //   inputs                  [[pointer, name]] of the files that the config names
@@ -30,8 +30,8 @@
 //   passes                  [[name, seconds, calls, acted]]
 //   wall_s, cpu_s, step_cpu_s
 //
-// The number of committed frames is the number of rows of /metrics/values, because that row is written last
-// in every frame. After a power cut the last row may be incomplete.
+// A frame is committed if its row of /metrics/values is written. This row is the last data of a frame, so the
+// number of committed frames is the number of rows. After a power cut the last row may be incomplete.
 #pragma once
 
 #include <array>
@@ -53,7 +53,7 @@ class RunFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `implausible`: computed to its end like a complete run, but it broke a bound that holds for its scene.
+/// The verdict on a run. `implausible`: computed to its end, but it broke a bound that is true for its scene.
 enum class RunStatus { running, complete, diverged, interrupted, implausible };
 inline constexpr std::array<std::string_view, 5> run_status_names = {"running", "complete", "diverged",
                                                                      "interrupted", "implausible"};
@@ -63,7 +63,7 @@ std::string to_string(RunStatus status);
 inline bool is_whole(RunStatus status) {
   return status == RunStatus::complete || status == RunStatus::implausible;
 }
-/// Whether the same run would end in the same way again: it is whole, or diverged.
+/// Whether repeating the run would give the same result: the run is whole or diverged.
 inline bool is_over(RunStatus status) {
   return is_whole(status) || status == RunStatus::diverged;
 }
@@ -85,7 +85,7 @@ struct ConstraintRecord {
 
 /// A file that the config names, with its content.
 struct InputFile {
-  std::string pointer;  ///< of the setting that names it
+  std::string pointer;  ///< of the setting that names the file
   std::string name;     ///< as written in the config
   std::string bytes;
 };
@@ -139,39 +139,39 @@ struct RunFooter {
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
-/// The first frames of an earlier file of the same run, which a new file begins with.
+/// Frames of an earlier file of the same run, with which a new file begins.
 struct EarlierFrames {
   std::filesystem::path file;  ///< empty if there are no earlier frames
   std::uint64_t frames = 0;
 };
 
-/// How much of a run is kept in memory before its file is begun. A run that ends earlier writes its whole
-/// file at once, which takes less time and space. A crash loses no more than this much.
+/// How much of a run is in memory before its file is begun. A run that ends earlier writes its whole file at
+/// once, which takes less time and space. In a crash, at most this part of a run is lost.
 struct InMemory {
   std::uint64_t bytes = 0;  ///< of frames
   double seconds = 0;       ///< of wall time; 0: the file is begun before the first frame
 };
 
-/// Writes `part`, by default `<path>.part`, which finish() seals (checksum.hpp) and renames to `path`. A
-/// crash leaves the .part file with every frame whose write() returned. Writers in several threads take turns
-/// frame by frame. The folder has to exist. Throws RunFileError if the disk fails or another writer has
-/// `part` open, std::invalid_argument if sizes don't match the header, or its config is not JSON. With
-/// `first`, the file is begun when that much is in memory, or by synchronise(), finish() or the destructor.
+/// Writes `part`, by default `<path>.part`, which finish() seals (checksum.hpp) and renames to `path`. After
+/// a crash, the .part file has all frames whose write() returned. Writers in several threads write one frame
+/// at a time. The folder has to exist. Throws RunFileError if the disk fails or another writer has `part`
+/// open. Throws std::invalid_argument if sizes don't match the header, or if the config is not JSON. The file
+/// is begun when the amount `first` is in memory, or by synchronise(), finish() or the destructor.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
                 const std::filesystem::path& part = {}, const EarlierFrames& earlier = {},
                 const InMemory& first = {});
-  ~RunFileWriter();  ///< closes the file; without finish() the .part file stays
+  ~RunFileWriter();  ///< closes the file; without finish() it has the suffix .part
   RunFileWriter(const RunFileWriter&) = delete;
   RunFileWriter& operator=(const RunFileWriter&) = delete;
 
   void write(const Frame& frame);
   /// Waits until the frames are on the disk, so that they survive a power cut.
   void synchronise();
-  /// Writes Steps, footer and checksum, waits for the disk and renames the file. Does not wait if the whole
-  /// run was in memory until now and the file replaces no other: if a power cut damages such a file, its
-  /// checksum shows this, and the run is soon computed again.
+  /// Writes Steps, footer and checksum, waits for the disk and renames the file. If the whole run was in
+  /// memory until now and the file replaces no other file, the function does not wait: if a power cut damages
+  /// the file, its checksum shows the damage, and computing the run again takes little time.
   void finish(const RunFooter& footer);
 
  private:
@@ -182,7 +182,7 @@ class RunFileWriter {
 /// Files of unfinished runs in a folder (run.vtkhdf….part), sorted. The folder may be missing.
 std::vector<std::filesystem::path> unfinished_files(const std::filesystem::path& folder);
 
-/// A run as read from its file, finished or not (a .part file), without its frames.
+/// A run without its frames, read from a finished file or from a .part file.
 struct RunRecord {
   std::filesystem::path file;
   std::string id, name;
@@ -210,7 +210,7 @@ struct RestRecord {
 
 RestRecord read_rest(const std::filesystem::path& file);
 
-/// The files that the run's config names, as they were when it was computed.
+/// The files that the run's config names, with their content at the time of the run.
 std::vector<InputFile> read_inputs(const std::filesystem::path& file);
 
 /// The values of a metric, one per committed frame.
@@ -222,22 +222,22 @@ struct MetricRecord {
   std::vector<double> values;
 };
 
-/// All metrics: `time` first, then sorted by name.
+/// All metrics: `time` first, the other metrics sorted by name.
 std::vector<MetricRecord> read_metrics(const std::filesystem::path& file);
 
-/// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
+/// Positions (3V) of the committed frame `frame`. Negative numbers count from the end: -1 is the last frame.
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
 
-/// An XDMF text through which programs that do not read VTKHDF with time, such as ParaView before 5.12, read
-/// these frames. `as_seen` is the run file's path, relative to the folder of the text. Throws RunFileError.
+/// An XDMF text of `frames`, for programs that cannot read VTKHDF with time (ParaView before 5.12). `as_seen`
+/// is the run file's path, relative to the folder of the .xdmf file. Throws RunFileError.
 std::string xdmf_of(const std::filesystem::path& run_file, const std::string& as_seen,
                     std::span<const std::int64_t> frames);
 
 /// Version of the HDF5 library.
 std::string hdf5_version();
 
-/// Names of the parts of two run files whose bits differ: datasets, metrics of the summary, the verdict.
-/// Computing times and provenance are not compared.
+/// Compares two run files. Returns the names of datasets, metrics of the summary and the verdict if their
+/// bits differ. Computing times and provenance are not compared.
 std::vector<std::string> differing_parts(const std::filesystem::path& first,
                                          const std::filesystem::path& second);
 

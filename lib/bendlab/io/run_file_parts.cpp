@@ -27,7 +27,7 @@ std::set<std::string> datasets_in(hid_t file) {
   return datasets;
 }
 
-// The shape of a dataset, and its values as they lie in memory.
+// The shape of a dataset and its values, as bytes in the format of memory.
 std::string bytes_of(hid_t file, const std::string& path) {
   const Handle dataset = hdf5::open_dataset(file, path), type(H5Dget_type(dataset), H5Tclose);
   std::size_t count = 1;
@@ -46,7 +46,7 @@ std::string bytes_of(std::span<const double> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-// The verdict, the metrics and the summary, by name.
+// The verdict, the metrics and the metrics of the summary, by name.
 std::map<std::string, std::string> small_parts(hid_t file) {
   const Json facts = read_facts(file);
   std::map<std::string, std::string> parts = {{"status", facts.at("status")}};

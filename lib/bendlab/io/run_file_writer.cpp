@@ -15,14 +15,12 @@ namespace {
 using hdf5::Handle;
 using hdf5::Series;
 
-// A generous bound on the growth of a dataset's index per frame: 1000 entries of 16 bytes, as after 100 000
-// frames.
+// Most bytes that a frame adds to a dataset's index: 1000 entries of 16 bytes, enough for 100 000 frames.
 constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
 constexpr hsize_t metric_rows_per_chunk = 32;
 
-// Whether the record holds the constraints themselves, as the scene's settings may ask, not only their number
-// and hash.
+// Whether the record has the data of each constraint, not only the number and the hash of all constraints.
 bool has_arrays(const ConstraintRecord& record) {
   return !record.vertices.empty() || !record.rest.empty() || !record.softness.empty();
 }
@@ -46,7 +44,7 @@ void write_rest(hid_t file, const RunHeader& header) {
   hdf5::write_array(rest, "pin_seeds", header.pin_seeds);
 }
 
-// Writes all parts of a header except the facts.
+// Writes all of a header except the JSON text /facts.
 void write_header(hid_t file, const RunHeader& header) {
   write_rest(file, header);
   if (std::ranges::any_of(header.constraints, has_arrays)) {
@@ -77,14 +75,14 @@ void write_header(hid_t file, const RunHeader& header) {
   }
 }
 
-// A row of /metrics/values, in the order of the metrics in facts_of().
+// A row of /metrics/values: the time, then the metrics in the order of RunHeader::metrics.
 std::vector<double> metric_row(const Frame& frame) {
   std::vector<double> row = {frame.time};
   row.insert(row.end(), frame.metrics.begin(), frame.metrics.end());
   return row;
 }
 
-// Writes all frames at once, as datasets that do not grow.
+// Writes all frames at once. Each dataset gets its final size.
 void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>& frames) {
   constexpr auto if_small = hdf5::Compression::if_small;
   const auto joined = [&]<class T>(T, const auto& part_of) {
@@ -125,7 +123,7 @@ void require_size(const char* what, std::size_t size, std::size_t expected) {
 void require_consistent(const RunHeader& header) {
   if (!Json::accept(header.config)) throw std::invalid_argument("run file: the config is not JSON");
   if (header.rest_positions.size() % 3 != 0 || header.triangles.size() % 3 != 0)
-    throw std::invalid_argument("run file: rest positions and triangles need three numbers each");
+    throw std::invalid_argument("run file: rest_positions and triangles must have three numbers per row");
   require_size("RunHeader::pinned", header.pinned.size(), header.rest_positions.size() / 3);
   for (const auto& record : header.constraints) {
     if (!record.vertices.empty())
@@ -142,7 +140,8 @@ void require_consistent(const RunHeader& header) {
 }  // namespace
 
 struct RunFileWriter::Impl {
-  /// The file and its datasets that are open during the run; closed from the last member to the first.
+  /// The file and datasets of a run that is still going on. The destructor closes the datasets before the
+  /// file.
   struct Open {
     Handle file;
     Series points, metrics;
@@ -157,7 +156,8 @@ struct RunFileWriter::Impl {
   bool failed = false;
   std::optional<Open> open;
 
-  /// What is kept in memory until the file is begun, or until the whole file is written at the end.
+  /// The header and frames while there is no file yet: to the end of a short run, or to the limits of
+  /// InMemory.
   struct Kept {
     RunHeader header;
     std::vector<Frame> frames;
@@ -179,8 +179,8 @@ struct RunFileWriter::Impl {
   void close(const RunFooter& footer);
   void require_matching(const Frame& frame) const;
 
-  /// Calls an action on the file under the lock of the process. After a failure the file is not touched
-  /// again.
+  /// Calls `action` while it holds the lock for HDF5. After a failed action, later calls throw and write
+  /// nothing.
   template <class Action>
   void guarded(const std::string& what, const Action& action) {
     if (failed || !open) throw file_error(part, what, failed ? "an earlier write failed" : "it is closed", 0);
@@ -286,7 +286,7 @@ void RunFileWriter::Impl::append(const Frame& frame) {
   else
     points.append(narrow);
   for (std::size_t i = 0; i < cell_fields.size(); ++i) cell_fields[i].append(frame.cell_fields[i]);
-  // A frame counts once its metrics are written, and they are written after everything else is flushed.
+  // Readers count the rows of metrics as frames, so this row is written after everything else is flushed.
   hdf5::flush(file);
   metrics.append(metric_row(frame));
   hdf5::flush(file);
@@ -299,7 +299,7 @@ std::uint64_t RunFileWriter::Impl::frame_bytes() const {
          metric_rows_per_chunk * (1 + metric_count) * sizeof(double);
 }
 
-// Writes the whole file of a run whose frames were all kept in memory.
+// Writes the whole file of a run whose frames are all in memory.
 void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
   remove_abandoned(part);
   try {
@@ -321,7 +321,7 @@ void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
 }
 
 void RunFileWriter::Impl::close(const RunFooter& footer) {
-  // Steps has at most 16 numbers a frame; the footer is small.
+  // The group Steps has at most 16 numbers per frame. footer_bytes is enough for the rest.
   hdf5::require_room(open->file, footer_bytes + 8 * 16 * shape.times.size());
   write_steps(open->file, shape);
   facts.merge_patch(facts_of(footer));

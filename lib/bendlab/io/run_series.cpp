@@ -58,7 +58,7 @@ std::vector<Column> metric_columns(hid_t file) {
   for (const Json& name : facts.at("metrics"))
     columns.push_back({name, facts.at("units").at(columns.size()), facts.at("meanings").at(columns.size())});
   if (hdf5::shape_of(hdf5::open_dataset(file, metric_values)).at(1) != columns.size())
-    throw hdf5::Failure("its table of metrics does not have one column per name");
+    throw hdf5::Failure("the table /metrics/values does not have one column for each name in /facts");
   return columns;
 }
 
@@ -96,8 +96,7 @@ ParaViewShape read_shape(hid_t file) {
                       .double_positions = H5Tget_size(type) == sizeof(double)};
   shape.times = hdf5::read_column(hdf5::open_dataset(file, metric_values), 0, rows(file, metric_values));
   if (read_facts(file).at("status") != to_string(RunStatus::running)) return shape;
-  // Metrics are written last, so every frame should be readable. But a power cut may have lost pages of the
-  // file.
+  // Every frame should be readable, because its metrics are written last. A power cut can be an exception.
   while (!shape.times.empty() && !is_readable(file, shape, shape.times.size() - 1)) shape.times.pop_back();
   return shape;
 }

@@ -1,5 +1,4 @@
-// Opens a run file for reading, and reads the parts that all of its readers need. Only sources of this folder
-// include this header.
+// Opens a run file, and reads the parts that every reader needs. For source files of this folder only.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +13,9 @@ namespace bendlab {
 
 inline constexpr const char* metric_values = "/metrics/values";
 
-/// Writes a compressed JSON text. `name` is "facts", or "outcome" at the end of a file that grew with its
-/// run.
+/// Writes a compressed JSON text to the dataset `name`: "facts" or "outcome" (see run_file.hpp).
 void write_facts(hid_t file, const char* name, const Json& facts);
-/// Reads /outcome if the file has it, else /facts.
+/// Reads /outcome if the file has that dataset. Otherwise reads /facts.
 Json read_facts(hid_t file);
 
 /// Name, unit and meaning of every metric, `time` first.
@@ -25,13 +23,13 @@ std::vector<Column> metric_columns(hid_t file);
 /// The first `count` values of every metric.
 std::vector<MetricRecord> read_all_metrics(hid_t file, std::uint64_t count);
 
-/// Opens a run file for reading. Throws hdf5::Failure if the file is no run file.
+/// Opens a run file for reading. Throws hdf5::Failure if the file is not a run file.
 hdf5::Handle open_run(const std::filesystem::path& path);
 
-/// V, T, the names of the cell fields and the times of the committed frames.
+/// Numbers of vertices and triangles, names of the cell fields, and times of the completely written frames.
 ParaViewShape read_shape(hid_t file);
 
-/// Calls `action(hid_t file)` under the lock. Turns a failure into a RunFileError that names the file.
+/// Opens the file and calls `action(hid_t file)`, with the lock for HDF5. Turns failures into RunFileError.
 template <class Action>
 auto with_run(const std::filesystem::path& path, const Action& action) {
   require_readable(path);

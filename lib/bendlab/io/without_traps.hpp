@@ -1,12 +1,11 @@
-// Suspends floating-point traps (CMake option BENDLAB_TRAPS).
+// Allows invalid floating-point operations, which stop a program built with the option BENDLAB_TRAPS.
 #pragma once
 
 #include <cfenv>
 
 namespace bendlab {
 
-/// As long as the object exists, its thread may compute infinities and NaNs. For libraries that do this on
-/// purpose (HDF5 converts a NaN as a fill value).
+/// While the object exists, the thread may compute with NaN. HDF5 does that with its fill value.
 class WithoutTraps {
  public:
   WithoutTraps() { std::feholdexcept(&environment_); }

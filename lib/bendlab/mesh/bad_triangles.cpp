@@ -13,7 +13,7 @@
 namespace bendlab {
 namespace {
 
-// What the policy does about a problem, for a warning.
+// The part of a warning that says what the policy did about a problem.
 std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
   const bool mends = policy == BadTriangles::repair;
   switch (kind) {
@@ -29,11 +29,11 @@ std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
     case MeshProblemKind::isolated_vertex:
       return "left out, which shifts the indices of later vertices";
     case MeshProblemKind::zero_area:
-      return mends ? "collapsed, or removed by splitting the triangles beyond its longest edge"
+      return mends ? "collapsed to an edge, or removed by splitting the triangles beyond the longest edge"
              : policy == BadTriangles::membrane_off
-                 ? "without a strain constraint (or given a rest height if a vertex would have no strain "
-                   "constraint), and without bending"
-                 : "given a rest height that can be simulated, and no bending";
+                 ? "simulated without strain constraint and without bending (but with a rest height and a "
+                   "strain constraint if a vertex would otherwise have no strain constraint)"
+                 : "simulated with a small rest height and without bending";
     case MeshProblemKind::non_manifold_edge:
       return mends ? "cut, its vertices doubled" : "kept, without bending across it";
     case MeshProblemKind::non_manifold_vertex:
@@ -63,7 +63,7 @@ PolygonSoup without_unusable(const PolygonSoup& soup) {
     for (std::size_t c = 3 * t; c < 3 * t + 3 && !soup.texture_coordinates.empty(); ++c)
       usable.texture_coordinates.push_back(soup.texture_coordinates[c]);
   }
-  // Points that no triangle uses may be anything; to_mesh() leaves them out.
+  // Points that no triangle uses may still be NaN or infinite; to_mesh() leaves them out.
   return usable;
 }
 
@@ -92,18 +92,19 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_vi
   const std::vector<MeshProblem> problems = diagnose(soup);
   if (soup.triangles.empty())
     throw std::invalid_argument(
-        "has no triangles: export the mesh with its faces, and all of it, not only the selected part");
+        "has no triangles: export the whole mesh with its faces, not only the selected part");
   const std::string refusal = lines_of(problems);
   if (!refusal.empty() && policy == BadTriangles::refuse)
     throw std::invalid_argument(
-        fmt::format("can't be simulated: repair it in a mesh editor{} (indices count from 0):{}",
+        fmt::format("can't be simulated: repair the mesh in an editor{} (indices count from 0):{}",
                     has_remedy(soup) ? fmt::format(", or {}", remedy) : "", refusal));
   AcceptedMesh accepted;
   for (const MeshProblem& problem : problems)
     accepted.notes.push_back(fmt::format("{}: {}", treatment(problem.kind, policy), describe(problem)));
   if (soup.untextured_triangles > 0)
-    accepted.notes.push_back(fmt::format("texture coordinates left out: {} of {} triangles have none",
-                                         soup.untextured_triangles, soup.triangles.size()));
+    accepted.notes.push_back(
+        fmt::format("texture coordinates left out, because {} of {} triangles have no texture coordinates",
+                    soup.untextured_triangles, soup.triangles.size()));
   PolygonSoup usable = policy == BadTriangles::refuse ? soup : without_unusable(soup);
   if (policy == BadTriangles::repair) {
     const std::size_t used = static_cast<std::size_t>(to_mesh(usable).vertex_count());
@@ -115,12 +116,13 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_vi
   }
   if (usable.triangles.empty())
     throw std::invalid_argument(
-        "can't be simulated: no usable triangle is left; repair it in a mesh editor (indices count from 0):" +
+        "can't be simulated: no usable triangle is left; repair the mesh in an editor (indices count from "
+        "0):" +
         refusal);
   accepted.mesh = to_mesh(usable);
   if (!((accepted.mesh.positions.colwise().maxCoeff() - accepted.mesh.positions.colwise().minCoeff()).norm() >
         0))
-    throw std::invalid_argument("can't be simulated: all its vertices are at the same point");
+    throw std::invalid_argument("can't be simulated: all vertices are at the same point");
   accepted.renumbered =
       policy == BadTriangles::repair
           ? !problems.empty() || accepted.mesh.vertex_count() != static_cast<Eigen::Index>(soup.points.size())

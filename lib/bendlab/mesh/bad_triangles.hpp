@@ -2,24 +2,22 @@
 //
 //   problem                    regularise            membrane_off             repair
 //   -------------------------  --------------------  -----------------------  -------------------------------
-//   vertex not finite, index   the triangle is left out (it does not have three corners in space)
+//   vertex not finite, index   the triangle is left out
 //   out of range, repeated
 //   duplicate triangle         the first is kept
 //   isolated vertex            left out
-//   zero area                  a rest height that    no strain constraint;    short edges become one vertex,
-//                              can be simulated      like regularise if a     a vertex on an edge splits the
-//                                                    vertex would then have   triangles beyond it
+//   zero area                  gets a rest height    no strain constraint;    the ends of a short edge become
+//                              that can be           like regularise if a     one vertex; a vertex on an edge
+//                              simulated             vertex would then have   splits the triangles beyond
 //                                                    no strain constraint
-//   edge of > 2 triangles      kept, no bending across it                     cut: the vertices are doubled
-//   bow tie                    kept: one shared vertex                        cut
-//   mixed orientation          kept: strain and bending do not depend on it   turned to face alike, or cut if
-//                                                                             impossible (a Möbius band is
-//                                                                             cut across)
-//   points within              kept: pieces that happen to touch              united to one vertex
-//   united_within sizes
+//   edge of > 2 triangles      kept, without bending across the edge          cut: the vertices are doubled
+//   bow tie                    kept: one shared vertex                        cut: the vertex is doubled
+//   mixed orientation          kept: strain and bending do not depend on      turned to face the same side; a
+//                              orientation                                    Möbius band is cut across
+//   points nearer than         kept as separate vertices                      united to one vertex
+//   united_within · size
 //
-// A size is the diagonal of the mesh's box. Every policy refuses a mesh that has no triangles or whose
-// triangles are all left out.
+// The size is the diagonal of the mesh's box. Every policy refuses a mesh in which no triangle is left.
 #pragma once
 
 #include <array>
@@ -44,26 +42,26 @@ struct AcceptedMesh {
   bool renumbered = false;         ///< whether vertices have other indices than in the soup
 };
 
-/// What to do so that a cloth's mesh is accepted although it has problems. Part of the text of a refusal.
+/// End of the error text for a refused mesh: how to have the mesh accepted although it has problems.
 inline constexpr std::string_view remedy_of_cloth =
     "set /mesh/bad_triangles to repair, regularise or membrane_off";
 
 /// Turns the soup into a mesh that can be simulated. If the policy refuses the soup, throws
-/// std::invalid_argument with every problem, its first offenders and the remedy.
+/// std::invalid_argument. The text lists all kinds of problems, and ends with `remedy`.
 AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_view remedy = remedy_of_cloth);
 
-/// #T: whether diagnose() says that a triangle has zero area (see zero_area_thickness). A mesh that was
-/// accepted by `refuse` or `repair` has no such triangle.
+/// #T: whether diagnose() says that a triangle has zero area (see zero_area_thickness). A mesh that the
+/// policy `refuse` or `repair` accepted has no triangle with zero area.
 std::vector<char> triangles_without_area(const TriangleMesh& mesh);
 
 /// The height that a degenerate triangle's rest shape gets: 1/1000 of its longest edge, at least 10⁻⁵ of the
-/// mesh's size. That is large against a float's rounding of positions (3·10⁻⁸ of the size: 0.3 % of this
-/// height) and small against the triangles around it.
+/// mesh's size. The height is much larger than the rounding of a position in single precision (3·10⁻⁸ of the
+/// size, 0.3 % of the least height), and much smaller than the neighbouring triangles.
 inline constexpr double regular_height_of_edge = 1e-3, regular_height_of_size = 1e-5;
 
-/// Points of a mesh that are nearer to each other than this times the mesh's size are meant to be the same
-/// point. Many programs write six digits, which rounds a coordinate by up to 5·10⁻⁷ of the size. Two copies
-/// of a point then differ by up to 10⁻⁶ in each of three directions, 1.7·10⁻⁶ in all.
+/// Repair treats two points as the same point if their distance is at most this times the mesh's size. Many
+/// programs write six digits, which rounds a coordinate by up to 5·10⁻⁷ of the size. Two copies of a point
+/// then differ by up to 10⁻⁶ in each coordinate, so their distance is up to 1.7·10⁻⁶.
 inline constexpr double united_within = 2e-6;
 
 struct Repaired {
@@ -71,9 +69,8 @@ struct Repaired {
   std::vector<std::string> notes;  ///< warnings about what diagnose() does not report: united vertices, cuts
 };
 
-/// Repairs the soup (see the table above). The result has one vertex per point and no triangles of zero area;
-/// it is manifold, and its triangles face the same side. Triangles keep their texture coordinates. Indices
-/// have to be in range and points finite.
+/// Repairs the soup (see the table above); indices have to be in range and points finite. In the result, each
+/// point has one vertex, no triangle has zero area, and all triangles face the same side. It is manifold.
 Repaired repaired(const PolygonSoup& soup);
 
 }  // namespace bendlab

@@ -6,8 +6,8 @@
 namespace bendlab {
 namespace {
 
-// Halves the elements along the longest side of their centres' box. The left branch is filled before the
-// right branch.
+// Halves the elements recursively, along the longest side of the bounding box of their centres. All leaves of
+// the left branch get an element before the right branch gets any.
 void halve(std::span<int> elements, std::size_t leaves, const Positions& centres) {
   const std::size_t half = leaves / 2;
   if (half == 0) return;

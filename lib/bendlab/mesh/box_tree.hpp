@@ -1,5 +1,5 @@
-// A binary tree of boxes that finds which boxes overlap and which is nearest to a point. It is built once;
-// its boxes are renewed as the elements move.
+// A binary tree of boxes, which finds overlapping boxes, and the box nearest to a point. The tree is built
+// once; as the elements move, only the boxes change.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace bendlab {
 
-/// An axis-parallel box, at first empty. The fourth component only fills the SIMD lanes.
+/// An axis-parallel box, at first empty. The fourth component is padding for SIMD.
 struct Box {
   using Corner = Eigen::Array4f;
   Corner low = Corner::Constant(std::numeric_limits<float>::infinity()), high = -low;
@@ -21,24 +21,24 @@ struct Box {
   void include(const Box& other) { low = low.min(other.low), high = high.max(other.high); }
   bool empty() const { return !(low(0) <= high(0)); }
   bool overlaps(const Box& other) const { return (low - other.high).max(other.low - high).maxCoeff() <= 0; }
-  /// The squared distance to the nearest point of the box; infinite if it is empty.
+  /// The squared distance to the nearest point of the box; infinite if the box is empty.
   double squared_distance(const Vector3& point) const {
     const Eigen::Array3d p = point.array();
     return (low.head<3>().cast<double>() - p).max(p - high.head<3>().cast<double>()).max(0).square().sum();
   }
 };
 
-/// Elements whose centres are near each other are in the same branch. It is enough that they are near when
-/// the tree is built, because elements of a cloth move with their neighbours. Building costs n log n,
-/// renewing n. Elements are halved at the median, so the tree depends on the centres alone.
+/// Elements whose centres are near each other are in the same branch. The branches are not changed later,
+/// because elements of a cloth move with their neighbours. For n elements, building takes O(n log n) time and
+/// renew() O(n). Elements are split at the median, so the tree depends only on the centres.
 class BoxTree {
  public:
   explicit BoxTree(const Positions& centres);  ///< #n by 3
 
   void renew(std::span<const Box> boxes);  ///< #n, the box of each element
 
-  /// Calls action(i, j) once for each pair of elements whose boxes overlap, in an order that depends on the
-  /// centres alone.
+  /// Calls action(i, j) once for each pair of elements with overlapping boxes. The order depends only on the
+  /// centres.
   template <class Action>
   void for_overlaps(const Action& action) const {
     if (leaves_ > 0) inside(1, action);
@@ -54,7 +54,7 @@ class BoxTree {
   }
 
  private:
-  // Visits the nearer branch first: afterwards the farther branch is usually not needed.
+  // Visits the nearer branch first. The distance found there usually rules out the farther branch.
   template <class SquaredDistance>
   void look_into(std::size_t node, const Vector3& point, const SquaredDistance& squared_distance,
                  double& least) const {

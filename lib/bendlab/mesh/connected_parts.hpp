@@ -1,4 +1,4 @@
-// The connected parts of a mesh: no edge leads from a part to another part.
+// The connected parts of a mesh: no edge joins two parts.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// The vertices of each part, breadth first from its lowest vertex. Parts are ordered by their lowest vertex.
+/// The vertices of each part, breadth first from the lowest vertex. Parts are sorted by their lowest vertex.
 std::vector<std::vector<int>> connected_parts(const Adjacency& one_ring);
 
 }  // namespace bendlab

@@ -17,12 +17,12 @@ double cross(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-// Twice the area, positive counter-clockwise.
+// Twice the area; positive if the triangle is counter-clockwise.
 double turn(const Vector2& a, const Vector2& b, const Vector2& c) {
   return cross(b - a, c - a);
 }
 
-// Whether the triangle is counter-clockwise and higher than `thickness` above its longest side.
+// Whether the triangle is counter-clockwise and its height above the longest side is more than `thickness`.
 bool has_area(const Vector2& a, const Vector2& b, const Vector2& c, double thickness) {
   const double longest =
       std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
@@ -54,9 +54,8 @@ class EarCutter {
     for (const Vector3& p : corners) points_.emplace_back((p - corners[0]).dot(x), (p - corners[0]).dot(y));
   }
 
-  // Whether a fan around the first corner cuts the polygon: seen from the first corner, the other corners
-  // have to follow each other counter-clockwise, within one turn. No triangle may be thinner than
-  // `thickness`.
+  // Whether a fan around the first corner cuts the polygon into triangles that are not thinner than
+  // `thickness`. Around the first corner, the other corners have to be counter-clockwise within one turn.
   bool is_fan(double thickness) const {
     double angle = 0;
     for (std::size_t c = 2; c < points_.size(); ++c) {
@@ -83,9 +82,9 @@ class EarCutter {
     return false;
   }
 
-  // Cuts off ears: an ear is a triangle of three neighbouring corners that contains no other corner. Each
-  // search begins behind the last ear. Thin ears, and then corners on a straight edge, are cut off only if
-  // there is no other ear. Returns false if no corner can be cut off.
+  // Cuts off ears: an ear is a triangle of three neighbouring corners that contains no other corner. The
+  // search begins at the corner after the last ear. If all ears are thin, cuts off a thin ear. If there is no
+  // ear, cuts off a corner on a straight edge. Returns false if there is no such corner either.
   bool run(std::vector<Triangle>& triangles) {
     for (std::size_t c = 0; c < points_.size(); ++c) left_.push_back(c);
     for (std::size_t start = 0; left_.size() > 3;) {
@@ -108,7 +107,7 @@ class EarCutter {
     return {left_[(i + count - 1) % count], left_[i], left_[(i + 1) % count]};
   }
 
-  // Index in left_ of the first corner with the property, from `start` on; left_.size() if no corner has it.
+  // Index in left_ of the first corner from `start` on for which has(index) is true, or left_.size().
   template <class Property>
   std::size_t find(std::size_t start, const Property& has) const {
     for (std::size_t k = 0; k < left_.size(); ++k)
@@ -147,7 +146,7 @@ void cut_polygon(std::span<const Vector3> corners, double thickness,
   triangles.clear();
   if (corners.size() == 3) return;
   constexpr const char* crosses =
-      "the face crosses itself, so that it cannot be cut into triangles: cut it into triangles in the "
+      "the face crosses itself and cannot be cut into triangles here: cut the face into triangles in the "
       "program that made the mesh";
   const Vector3 normal = newell_normal(corners);
   if (!(normal.norm() > 0)) {
@@ -159,8 +158,8 @@ void cut_polygon(std::span<const Vector3> corners, double thickness,
   if (corners.size() > most_corners_cut) {
     if (cutter.is_fan(0)) return;
     throw std::invalid_argument(fmt::format(
-        "the face has {} corners, but only faces of at most {} corners are cut into triangles: cut it into "
-        "smaller faces in the program that made the mesh",
+        "the face has {} corners, but at most {} corners are allowed: cut the face into smaller faces in the "
+        "program that made the mesh",
         corners.size(), most_corners_cut));
   }
   if (cutter.crosses_itself() || !cutter.run(triangles)) throw std::invalid_argument(crosses);

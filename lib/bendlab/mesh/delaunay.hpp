@@ -7,8 +7,8 @@
 
 namespace bendlab {
 
-/// Counter-clockwise triangles of point indices, each starting at its lowest index, sorted.
-/// The points have to be finite and distinct.
+/// Counter-clockwise triangles of point indices. Each triangle starts with its lowest index; the triangles
+/// are sorted. The points have to be finite and distinct.
 Triangles delaunay_triangles(std::span<const Vector2> points);
 
 }  // namespace bendlab

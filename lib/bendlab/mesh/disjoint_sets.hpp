@@ -1,4 +1,4 @@
-// Disjoint sets of numbers that can be united.
+// Disjoint sets of numbers (union-find).
 #pragma once
 
 #include <algorithm>

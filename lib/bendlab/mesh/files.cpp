@@ -66,7 +66,7 @@ void write_obj(std::ostream& out, const TriangleMesh& mesh) {
   }
 }
 
-// The vertices and triangles, which OFF and PLY write alike.
+// The lines of vertices and triangles, which are the same in OFF and PLY files.
 void write_lists(std::ostream& out, const TriangleMesh& mesh) {
   for (const auto& p : mesh.positions.rowwise()) fmt::print(out, "{} {} {}\n", p(0), p(1), p(2));
   for (const auto& t : mesh.triangles.rowwise()) fmt::print(out, "3 {} {} {}\n", t(0), t(1), t(2));
@@ -95,10 +95,10 @@ AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy) {
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
-  AcceptedMesh accepted = read(
-      path, BadTriangles::refuse,
-      fmt::format("run 'bendlab mesh {} --bad-triangles repair --write NEW.obj' and name NEW.obj instead",
-                  path.string()));
+  AcceptedMesh accepted =
+      read(path, BadTriangles::refuse,
+           fmt::format("run 'bendlab mesh {} --bad-triangles repair --write NEW.obj' and use NEW.obj instead",
+                       path.string()));
   if (notes != nullptr) notes->insert(notes->end(), accepted.notes.begin(), accepted.notes.end());
   return std::move(accepted.mesh);
 }

@@ -35,7 +35,7 @@ constexpr int every = 20;  // one of this many vertices, triangles or edges gets
 
 void refuse_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() > 0)
-    throw std::invalid_argument("a mesh with texture coordinates can't be flawed or renumbered");
+    throw std::invalid_argument("a mesh with texture coordinates can't get a flaw or be renumbered");
 }
 
 TriangleMesh with_triangles(TriangleMesh mesh, const std::vector<Eigen::RowVector3i>& triangles) {
@@ -82,7 +82,7 @@ struct Star {
   std::vector<Eigen::RowVector3i> triangles;  // each turned so that the vertex comes first
 };
 
-// Interior vertices of which no two have a neighbour in common.
+// Interior vertices, chosen so that no two of them have a common neighbour.
 std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   const RestMesh rest(mesh);
   std::vector<char> taken(static_cast<std::size_t>(rest.vertex_count()), 0);
@@ -216,7 +216,7 @@ TriangleMesh with_hole(const TriangleMesh& mesh) {
   return compacted(with_triangles(mesh, triangles));
 }
 
-// A permutation of 0 … count - 1 (Fisher and Yates); std::shuffle differs between libraries.
+// A permutation of 0 … count - 1 (Fisher and Yates). The result of std::shuffle differs between libraries.
 std::vector<int> permutation(Eigen::Index count, std::mt19937_64& random) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);

@@ -21,17 +21,17 @@ constexpr int max_count = 16384;  // 4 times its square still fits into an int
 
 double checked_size(std::string_view name, double metres) {
   if (std::isfinite(metres) && metres > 0) return metres;
-  throw std::invalid_argument(fmt::format("mesh {} is {} m; it has to be finite and above 0", name, metres));
+  throw std::invalid_argument(fmt::format("mesh {} is {} m, but has to be finite and above 0", name, metres));
 }
 
-// `count` is a double, because some counts are quotients of lengths.
+// `count` is a double, because a quotient of two lengths may be too large for an int.
 int checked_count(std::string_view name, double count, int minimum = 1) {
   if (count >= minimum && count <= max_count) return static_cast<int>(count);
   throw std::invalid_argument(
       fmt::format("mesh {} is {}; allowed are {} to {}", name, count, minimum, max_count));
 }
 
-// Coordinate of grid line i of n, symmetric about 0 to the last bit.
+// Coordinate of grid line i of 0 … n. Lines i and n - i are exactly symmetric about 0.
 double grid_line(double extent, int i, int n) {
   return extent * (2 * i - n) / (2.0 * n);
 }
@@ -61,9 +61,9 @@ class MeshBuilder {
   std::vector<std::array<int, 3>> triangles_;
 };
 
-// Points in a rectangle that keep a distance from each other. The cells of a background grid are so small
-// that each holds at most one point. (In a strip thinner than a cell, points of both sides share a cell. No
-// interior point has room there anyway.)
+// Points in a rectangle, and a grid to find the points near a new point. A cell is so small that it has room
+// for only one point. (In a very thin strip, boundary points of two sides share a cell, but interior points
+// have no room anyway.)
 class DiscSampler {
  public:
   DiscSampler(double width, double height, double distance)
@@ -198,11 +198,10 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
   const int rows = checked_count("number of rows", std::max(1.0, std::round(height / spacing)));
 
   constexpr int darts_per_point = 30;  // as in Bridson, "Fast Poisson disk sampling", 2007
-  // So many darts find room for 0.62 points per distance², which is one point per spacing².
+  // After this many attempts, an area of distance² holds 0.62 points, so an area of spacing² holds one point.
   constexpr double relative_distance = 0.79;
   DiscSampler sampler(width, height, relative_distance * spacing);
-  // Corners are placed exactly: a corner that is slightly off the line of a side would make slivers along
-  // that side.
+  // Corners are exact. A corner slightly beside the line of a side would give very thin triangles there.
   for (const double x : {-width / 2, width / 2})
     for (const double y : {-height / 2, height / 2}) sampler.add({x, y});
   for (int i = 1; i < cells; ++i)
@@ -257,8 +256,8 @@ TriangleMesh tube(double radius, double radius_top, double height, int cells) {
   checked_size("height", height);
   checked_count("cells around", cells, 3);
 
-  // Near radius r an edge is 2 r sin(π/cells) long and a row √3/2 of that high, so rows are evenly spaced in
-  // the logarithm of r.
+  // At radius r an edge is e = 2 r sin(π/cells) long, and a row of equilateral triangles is √3/2 e high. The
+  // height grows in proportion to r, so the rows are evenly spaced in ln r.
   const double slant = std::hypot(radius_top - radius, height), growth = std::log(radius_top / radius);
   const double mean_radius =
       std::abs(growth) < 1e-6 ? (radius + radius_top) / 2 : (radius_top - radius) / growth;

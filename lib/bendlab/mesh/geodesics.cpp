@@ -13,9 +13,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Distance of c from the source with the triangle unfolded into a plane: a at the origin, b at (base, 0), c
-// above the base, and the source below it at the distances `to_a` and `to_b`. Infinite if the straight path
-// misses the base: then the shortest path leads through a or b.
+// Distance of the corner c from the source, with the triangle unfolded into a plane. There a is at the
+// origin, b at (base, 0), c above the base, and the source below, `to_a` from a and `to_b` from b. Infinite
+// if the straight line from the source to c misses the base: the shortest path then goes through a or b.
 double unfolded(double to_a, double to_b, double base, double a_to_c, double b_to_c) {
   if (!(base > 0)) return infinity;
   const double x = (to_a * to_a - to_b * to_b + base * base) / (2 * base), depth = to_a * to_a - x * x;
@@ -26,23 +26,23 @@ double unfolded(double to_a, double to_b, double base, double a_to_c, double b_t
   return crossing >= 0 && crossing <= base ? std::hypot(cx - x, cy + y) : infinity;
 }
 
-// Distances from several sources at once. A vertex keeps the distances of up to 8 nearest sources, not only
-// of the nearest source: a path is unfolded through two corners that know the same source, and two corners
-// between two sources often have different nearest sources.
+// Distances from several sources at once. Each vertex stores the distances to its 8 nearest sources, because
+// unfolding a triangle needs the distances of two corners to the same source. Halfway between two sources,
+// two corners often have different nearest sources.
 class Front {
  public:
   explicit Front(const RestMesh& rest)
       : rest_(rest), triangles_(vertex_triangles()), known_(static_cast<std::size_t>(rest.vertex_count())) {}
 
-  // Starts again. Only paths shorter than `limit` count.
+  // Forgets all distances, and starts from `sources`. Only paths shorter than `limit` are followed.
   void start(std::span<const int> sources, double limit) {
     for (const int v : reached_) known_[static_cast<std::size_t>(v)] = {};
     reached_.clear(), limit_ = limit;
     for (const int v : sources) reach(v, 0, v);
   }
 
-  // Visits vertices in Dijkstra's order. But a vertex that later turns out to be nearer passes its distance
-  // on again, because beyond an obtuse corner the path may come back.
+  // Visits vertices by ascending distance, as Dijkstra's algorithm does. A vertex is visited again if a
+  // shorter path is found later, which obtuse triangles make possible.
   void spread() {
     while (!front_.empty()) {
       const auto [distance, v, source] = front_.top();
@@ -80,13 +80,13 @@ class Front {
 
   double apart(int v, int w) const { return (rest_.position(v) - rest_.position(w)).norm(); }
 
-  // Records that v is this far from the source. If v already keeps 8 nearer sources, the distance is dropped.
+  // Stores the distance of v from the source if it is new or shorter, and v has fewer than 8 nearer sources.
   void reach(int v, double distance, int source) {
     Known& known = known_[static_cast<std::size_t>(v)];
     auto entry = std::ranges::find(known, source, &Reached::source);
     if (entry == known.end()) entry = std::ranges::max_element(known, {}, &Reached::distance);
-    // A smaller relative gain is not passed on. Around triangles without height, paths would get shorter for
-    // ever. So the least gain doubles each time.
+    // A path that is shorter by a smaller fraction is ignored. The fraction doubles with each improvement,
+    // because around triangles without height the improvements would never end.
     constexpr double least_gain = 1e-10;
     const int times = entry->source == source ? entry->times + 1 : 0;
     if (!(distance < limit_ && distance < entry->distance * (1 - std::ldexp(least_gain, times)))) return;

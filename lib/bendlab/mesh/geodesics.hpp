@@ -14,16 +14,15 @@ struct GeodesicDistances {
   std::vector<int> source;       ///< #V, the nearest source; -1 if no source can be reached
 };
 
-/// Lengths of the shortest paths over the triangles of any mesh. The distances of two corners of a triangle
-/// give the distance of the third corner: the triangles on the path so far are unfolded into a plane (Novotni
-/// & Klein 2002). The distances are exact on a flat or developable piece if the straight path meets no hole
-/// and no inner corner. Otherwise they are too long: by a few per cent behind a corner, by up to 0.2 % far
-/// from a row of sources, and to first order in the edge length on curved surfaces. They are never longer
-/// than the shortest path along edges.
+/// Lengths of the shortest paths along the surface of a mesh. The distance of a triangle's third corner
+/// follows from the distances of the first two: the triangle and the source are drawn in one plane (Novotni &
+/// Klein 2002). On flat and developable surfaces the distances are exact, unless a hole or a concave corner
+/// of the outline blocks the straight path. Distances are too long by a few per cent behind such a corner, by
+/// up to 0.2 % far from a row of sources, and on curved surfaces by an error of first order in the edge
+/// length. A distance is never longer than the shortest path along edges.
 GeodesicDistances geodesic_distances(const RestMesh& rest, std::span<const int> sources);
 
-/// Finds the vertices around one vertex at a time, by the same distances. The time depends on the size of the
-/// disc, not on the size of the mesh.
+/// Finds the vertices within a geodesic distance of a vertex, in a time that depends only on their number.
 class GeodesicDiscs {
  public:
   explicit GeodesicDiscs(const RestMesh& rest);

@@ -23,9 +23,9 @@ struct RestTriangle {
     if (least_height > 0) regularise(least_height);
   }
 
-  // Gives the triangle a height: moves the corner opposite the longest edge away from that edge's line. Three
-  // equal points first become a line as long as the height. The direction is arbitrary: towards the
-  // coordinate axis that is most nearly perpendicular to the line.
+  // Gives the triangle a height: moves the corner opposite the longest edge away from that edge's line. If
+  // the line is shorter than the height, the line is made as long as the height first. The direction is
+  // arbitrary: towards the coordinate axis with the largest angle to the line.
   void regularise(double height) {
     std::array<Vector3, 3> corner = {Vector3::Zero(), e1, e2};
     std::size_t apex = 0;  // opposite the longest edge
@@ -45,7 +45,7 @@ struct RestTriangle {
     normal = e1.cross(e2).normalized();
   }
 
-  // Q⁻¹ for the warp axis nearest to `warp` in the triangle's plane.
+  // Q⁻¹ for the warp axis, which is `warp` projected into the triangle's plane.
   InverseRest inverse_along(const Vector3& warp) const {
     constexpr double perpendicular = 1e-6;  // of |warp|: a shorter projection has no useful direction
     Vector3 axis = warp - warp.dot(normal) * normal;
@@ -58,9 +58,10 @@ struct RestTriangle {
     return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
   }
 
-  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). A corner's
-  // gradient is zero if the edge opposite the corner lies along the axis. It has to be exactly zero: if that
-  // edge is pinned, a projection would divide by the rounding error.
+  // A column of Q⁻¹ holds the gradients b and c of a stretch at two corners; the gradient at the third corner
+  // is -(b + c). If an edge lies along the axis, the gradient at the opposite corner is zero up to rounding.
+  // Such a gradient is set to zero, because a projection would divide by the rounding error if the edge is
+  // pinned.
   static void snap(double& b, double& c) {
     constexpr double rounding = 1e-9;  // of the column's largest entry
     const double limit = rounding * std::max(std::abs(b), std::abs(c));
@@ -70,7 +71,7 @@ struct RestTriangle {
   }
 };
 
-// #T, m: the least height of the rest shape if the triangle is degenerate, else 0.
+// #T, m: the least height of a degenerate triangle's rest shape; 0 for the other triangles.
 std::vector<double> least_heights(const TriangleMesh& mesh) {
   const std::vector<char> degenerate = triangles_without_area(mesh);
   const double height = regular_height_of_size *
@@ -95,14 +96,14 @@ std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const 
 std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() != 3 * mesh.triangle_count())
     throw std::invalid_argument(
-        "the mesh has no texture coordinates: use an OBJ whose faces all name vt entries (f 1/1 2/2 3/3), or "
-        "material coordinates from the warp direction");
+        "the mesh has no texture coordinates: use an OBJ file in which all faces have texture indices (f 1/1 "
+        "2/2 3/3), or set /material/coordinates to warp");
   std::vector<InverseRest> inverses;
   inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
   const std::vector<double> heights = least_heights(mesh);
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
     const RestTriangle triangle(mesh, t, heights[static_cast<std::size_t>(t)]);
-    if (heights[static_cast<std::size_t>(t)] > 0) {  // its texture is degenerate, too
+    if (heights[static_cast<std::size_t>(t)] > 0) {  // the triangle's texture is degenerate, too
       inverses.push_back(triangle.inverse_along(triangle.e1));
       continue;
     }
@@ -114,8 +115,9 @@ std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
     constexpr double degenerate = 1e-12;  // of the longest texture edge squared
     if (!(std::abs(texture.determinant()) > degenerate * longest))
       throw std::invalid_argument(fmt::format(
-          "triangle {} has degenerate texture coordinates: repair the texture or use the warp direction", t));
-    // [t_u, t_v] = [e1, e2] texture⁻¹: u grows along t_u.
+          "triangle {} has degenerate texture coordinates: repair the texture, or set coordinates to warp",
+          t));
+    // The warp axis is t_u, the direction in which u grows: [t_u, t_v] = [e1, e2] texture⁻¹.
     const Eigen::Vector2d first = texture.inverse().col(0);
     inverses.push_back(triangle.inverse_along(first(0) * triangle.e1 + first(1) * triangle.e2));
   }

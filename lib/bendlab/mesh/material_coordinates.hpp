@@ -18,13 +18,13 @@ inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"
 using InverseRest = std::array<double, 4>;
 
 /// One per triangle. The warp axis is `warp_direction` projected into the triangle's rest plane, or the
-/// triangle's first edge if it is perpendicular to the plane. A degenerate triangle first gets a height (see
-/// bad_triangles.hpp), on an arbitrary side of its line.
+/// triangle's first edge if `warp_direction` is perpendicular to the plane. A degenerate triangle first gets
+/// a height (see bad_triangles.hpp) in an arbitrary direction.
 std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction);
 
-/// One per triangle. The warp axis is the texture's u direction in the rest plane; stretched textures are
-/// allowed, because only the direction is used (SBD 2014, appendix). Throws std::invalid_argument if the mesh
-/// has no texture coordinates or a triangle has degenerate texture coordinates.
+/// One per triangle. The warp axis is the texture's u direction in the rest plane. Only that direction is
+/// used, so the texture may be stretched (SBD 2014, appendix). Throws std::invalid_argument if the mesh has
+/// no texture coordinates or a triangle has degenerate texture coordinates.
 std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh);
 
 }  // namespace bendlab

@@ -38,7 +38,7 @@ Point point_of(const Vector3& x) {
   return {x.x(), x.y(), x.z()};
 }
 
-// rad. An edge that is bent by less counts as flat: cloth that touches it also touches a face.
+// rad. An edge with a smaller bend counts as flat, because cloth that touches the edge also touches a face.
 constexpr double flat = 0.01;
 
 // CGAL's predicates divide by zero if a coordinate or its square is not finite.
@@ -111,7 +111,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
 
 MeshSurface::~MeshSurface() = default;
 
-// Normals at corners are weighted by angles: then the sign of (x - nearest) · normal says on which side x is.
+// Normals at corners are weighted by angles, so the sign of (x - nearest) · normal tells on which side x is.
 void MeshSurface::find_normals() {
   corner_normals_.assign(static_cast<std::size_t>(mesh_.vertex_count()), Vector3::Zero());
   for (const auto& t : mesh_.triangles.rowwise()) {
@@ -135,7 +135,8 @@ void MeshSurface::find_normals() {
   });
 }
 
-// Ridges are edges bent outwards. An open mesh has no outside: there all bent edges and the rim are ridges.
+// Ridges are convex edges. In an open mesh, which has no outside, all bent edges and boundary edges are
+// ridges.
 void MeshSurface::find_ridges() {
   ridges_of_.assign(static_cast<std::size_t>(mesh_.triangle_count()), {-1, -1, -1});
   pointed_.assign(static_cast<std::size_t>(mesh_.vertex_count()), 0);
@@ -190,7 +191,7 @@ std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& 
   for (const int t : tree_->intersected(Kernel::Segment_3(point_of(from), point_of(to)))) {
     const Vector3& normal = face_normals_[static_cast<std::size_t>(t)];
     const double height = normal.dot(from - corner(mesh_.triangles(t, 0))), fall = normal.dot(from - to);
-    if (fall == 0) continue;  // parallel to this triangle: the segment crosses another
+    if (fall == 0) continue;  // parallel to this triangle: the segment crosses another triangle
     if (const double s = std::clamp(height / fall, 0.0, 1.0); s < earliest) {
       earliest = s;
       first = Crossing{from + s * (to - from), fall > 0 ? normal : Vector3(-normal), fall > 0};

@@ -13,7 +13,7 @@ namespace {
 
 using Cell = std::array<std::int64_t, 3>;
 
-// The kept points, sorted into the cells of a grid.
+// The points that are not replaced by another point, sorted into the cells of a grid.
 class Cells {
  public:
   Cells(const std::vector<std::array<double, 3>>& points, const Vector3& origin, double tolerance)
@@ -21,8 +21,7 @@ class Cells {
 
   void add(std::size_t p) { points_in_[cell_of(at(p))].push_back(p); }
 
-  // The nearest kept point within the tolerance of point p; ties go to the first. Returns p if there is no
-  // such point.
+  // The point in the grid that is nearest to p, or p if none is within the tolerance; ties go to the first.
   std::size_t nearest(std::size_t p) const {
     const Cell low = cell_of(at(p).array() - tolerance_), high = cell_of(at(p).array() + tolerance_);
     std::size_t best = p;
@@ -44,7 +43,7 @@ class Cells {
  private:
   Vector3 at(std::size_t p) const { return Eigen::Map<const Vector3>(points_[p].data()); }
 
-  // Cells are large compared with the tolerance, so that the search for a point seldom needs a second cell.
+  // A cell is 32 tolerances wide, so most searches look into only one cell.
   Cell cell_of(const Vector3& p) const {
     const double size = tolerance_ > 0 ? 32 * tolerance_ : 1;
     Cell cell;
@@ -69,7 +68,8 @@ std::vector<std::size_t> near_points(const std::vector<std::array<double, 3>>& p
   Eigen::AlignedBox3d box;
   for (std::size_t p = 0; p < points.size(); ++p)
     if (used[p] != 0) box.extend(Eigen::Map<const Vector3>(points[p].data()));
-  // Cell indices of huge coordinates do not fit into 64 bits. A mesh with such coordinates is refused later.
+  // Cell indices of huge coordinates would not fit into 64 bits. The caller refuses a mesh with such
+  // coordinates.
   if (box.isEmpty() || !std::isfinite(tolerance) ||
       !(box.diagonal().maxCoeff() < 1e15 * std::max(tolerance, 1.0)))
     return same_as;

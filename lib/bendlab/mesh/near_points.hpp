@@ -1,4 +1,4 @@
-// Finds points that lie so near to each other that they are meant to be the same point.
+// Finds points that are so near to each other that they count as the same point.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace bendlab {
 
-/// #P: the point that replaces each point: the nearest earlier kept point within `tolerance` (m). If there is
-/// no such point, the point itself is kept. So all points that are united lie within the tolerance of the
-/// kept point. Points that are not `used` stay as they are; `used` points have to be finite.
+/// #P: the index of the point that replaces each point. A point is replaced by the nearest earlier point that
+/// is not replaced itself, if the two are at most `tolerance` (m) apart. Otherwise the point keeps its own
+/// index, as all points that are not `used` do. `used` points have to be finite.
 std::vector<std::size_t> near_points(const std::vector<std::array<double, 3>>& points,
                                      const std::vector<char>& used, double tolerance);
 

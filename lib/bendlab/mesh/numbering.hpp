@@ -1,4 +1,4 @@
-// Numbering of vertices: neighbours in space should be neighbours in memory.
+// Numbers vertices so that vertices near each other in the mesh are near each other in memory.
 #pragma once
 
 #include <vector>
@@ -7,13 +7,12 @@
 
 namespace bendlab {
 
-/// The mean difference between the numbers of an edge's ends. `permutation` holds the number of each vertex;
-/// if it is empty, vertices keep their indices.
+/// The difference between the numbers of the two ends of an edge, as a mean over all edges. `permutation`
+/// holds the number of each vertex; an empty `permutation` means that vertices keep their indices.
 double mean_edge_span(const Edges& edges, const std::vector<int>& permutation = {});
 
-/// #V: the number of each vertex by the reverse Cuthill-McKee order (Boost.Graph), which walks the mesh ring
-/// by ring. Empty if the mesh's own numbering is nearly as good (less than twice the mean edge span): grids
-/// and other generated meshes keep their numbers.
+/// #V: the number of each vertex in the reverse Cuthill-McKee order (Boost.Graph), which visits the mesh ring
+/// by ring. Empty if this order does not halve mean_edge_span(), as for generated meshes.
 std::vector<int> local_numbering(const RestMesh& rest);
 
 }  // namespace bendlab

@@ -17,7 +17,7 @@ class ObjReader {
  public:
   explicit ObjReader(std::string_view bytes) : lines_(bytes, '#', '\\') {}
 
-  // Reads v, vt and f. Skips everything else: normals, names, materials, lines, points, curves.
+  // Reads the lines v, vt and f. Skips all other lines: normals, names, materials, lines, points, curves.
   PolygonSoup run() {
     while (lines_.next()) {
       const std::string_view key = lines_.word(0);
@@ -31,20 +31,20 @@ class ObjReader {
   }
 
  private:
-  // x y z. A weight, a colour or both may follow; they are checked, but not used.
+  // x y z. A weight and a colour may follow; these numbers are checked, but not used.
   void read_point() {
     soup_.points.push_back({lines_.real(1), lines_.real(2), lines_.real(3)});
     for (std::size_t i = 4; i < lines_.word_count(); ++i) lines_.real(i);
   }
 
-  // u v w. v and w may be left out.
+  // u v w; v and w are optional.
   void read_texture() {
     textures_.push_back({lines_.real(1), lines_.word_count() > 2 ? lines_.real(2) : 0.0});
     if (!std::isfinite(textures_.back()[0]) || !std::isfinite(textures_.back()[1]))
       lines_.fail("a texture coordinate is not finite");
   }
 
-  // Corners v, v/vt, v//vn or v/vt/vn; a number behind a slash may be left out.
+  // Corners v, v/vt, v//vn or v/vt/vn. A number after a slash is optional.
   void read_face() {
     vertices_.clear(), face_textures_.clear();
     for (std::size_t i = 1; i < lines_.word_count(); ++i) {
@@ -52,7 +52,7 @@ class ObjReader {
       const std::size_t slash = std::min(word.find('/'), word.size());
       vertices_.push_back(index(word.substr(0, slash), soup_.points.size()));
       if (vertices_.back() == no_index)
-        lines_.fail(fmt::format("{} names vertex {}, but there are only {} before it",
+        lines_.fail(fmt::format("{} refers to vertex {}, but only {} vertices are defined before",
                                 TextLines::quoted(word), TextLines::quoted(word.substr(0, slash)),
                                 soup_.points.size()));
       face_textures_.push_back(texture_of(word.substr(std::min(slash + 1, word.size()))));
@@ -72,16 +72,16 @@ class ObjReader {
     if (slash == 0) return no_index;
     const std::int64_t texture = index(rest.substr(0, slash), textures_.size());
     if (texture == no_index)
-      lines_.fail(fmt::format("texture coordinate {} is named, but there are only {} before it",
+      lines_.fail(fmt::format("texture coordinate {} is used, but only {} are defined before",
                               TextLines::quoted(rest.substr(0, slash)), textures_.size()));
     return texture;
   }
 
-  // The index, counted from 0. A negative number counts back from the end of the `before` entries so far; if
-  // it goes beyond the first entry, the result is no_index.
+  // The index, counted from 0. A negative number counts back from the last of the `before` entries so far. If
+  // there are not so many entries, the result is no_index.
   std::int64_t index(std::string_view text, std::size_t before) const {
     const std::int64_t number = lines_.integer_of(text);
-    if (number == 0) lines_.fail("index 0: indices of vertices and texture coordinates count from 1");
+    if (number == 0) lines_.fail("index 0 is not allowed: indices start at 1");
     if (number > 0) return number - 1;
     return std::max(no_index, static_cast<std::int64_t>(before) + number);
   }
@@ -99,8 +99,8 @@ class ObjReader {
       for (const std::int64_t corner : corner_textures_[t]) {
         if (corner >= static_cast<std::int64_t>(textures_.size()))
           throw std::invalid_argument(
-              fmt::format("triangle {} names texture coordinate {}, but there are {} (numbers of texture "
-                          "coordinates count from 1, of triangles from 0)",
+              fmt::format("triangle {} uses texture coordinate {}, but the file has {} (texture coordinates "
+                          "are numbered from 1, triangles from 0)",
                           t, corner + 1, textures_.size()));
         soup_.texture_coordinates.push_back(textures_[static_cast<std::size_t>(corner)]);
       }

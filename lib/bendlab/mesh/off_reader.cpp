@@ -6,18 +6,19 @@
 
 namespace bendlab {
 
-// An OFF file: [ST][C][N]OFF, then the counts of vertices, faces (and edges), then a line x y z … per vertex
-// and a line n i1 … in … per face.
+// An OFF file has the keyword [ST][C][N]OFF, the numbers of vertices, faces (and edges), a line "x y z …" for
+// each vertex, and a line "n i1 … in …" for each face with n corners.
 PolygonSoup parse_off(std::string_view bytes) {
   TextLines lines(bytes, '#');
   lines.need_next("its keyword OFF");
   const std::string_view keyword = lines.word(0);
   if (!keyword.ends_with("OFF") || keyword.find_first_of("4n") != keyword.npos)
-    lines.fail(fmt::format("starts with {}; a mesh in three dimensions starts with OFF", lines.quoted(0)));
+    lines.fail(
+        fmt::format("starts with {}, but a mesh in three dimensions starts with OFF", lines.quoted(0)));
   if (lines.word_count() > 1 && lines.word(1) == "BINARY")
-    lines.fail("binary OFF is not read; save it as text");
+    lines.fail("binary OFF files are not supported; save the mesh as text");
 
-  std::size_t first = 1;  // the counts may stand beside the keyword
+  std::size_t first = 1;  // the counts may be on the line of the keyword
   if (lines.word_count() == 1) {
     lines.need_next("the counts of vertices and faces");
     first = 0;

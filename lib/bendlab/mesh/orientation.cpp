@@ -45,8 +45,9 @@ class Turner {
     return (point(a) + point(b) + point(c)) / 3;
   }
 
-  // Turns the triangles of one part along Dijkstra's shortest paths, which go through the triangles' centres
-  // and the middles of their edges.
+  // Reverses triangles of a connected part, starting from `first`, so that neighbours face the same side.
+  // Visits triangles by distance (Dijkstra's algorithm), along paths through triangle centres and edge
+  // middles.
   void turn_part_of(std::size_t first) {
     using Reached = std::pair<double, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
@@ -72,7 +73,7 @@ class Turner {
     }
     if (seam_length(part, [](const SharedEdge& e) { return e.alike; }) <=
         seam_length(part,
-                    [&](const SharedEdge& e) { return alike(e); }))  // keeps a seam that was made on purpose
+                    [&](const SharedEdge& e) { return alike(e); }))  // keeps a given seam: it may be intended
       for (const std::size_t t : part) orientation_.turned[t] = 0;
     const auto turned =
         std::ranges::count_if(part, [&](std::size_t t) { return orientation_.turned[t] != 0; });

@@ -14,9 +14,9 @@
 namespace bendlab {
 namespace {
 
-constexpr double relative_tolerance = 1e-6;  // of the mesh's size: above rounding, far below any edge length
+constexpr double relative_tolerance = 1e-6;  // of the mesh's size: more than rounding, less than any edge
 
-// The point as seen from the front.
+// The two coordinates of the point in a view from the front.
 Vector2 on_face(const NamedAxes& axes, const Vector3& point) {
   return {point(axes.right), point(axes.up)};
 }
@@ -27,8 +27,7 @@ int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   const double equal = relative_tolerance * rest.size();
   double least = std::numeric_limits<double>::infinity();
   for (int v = 0; v < rest.vertex_count(); ++v) least = std::min(least, distance(v));
-  // Whether v is in front of `other`; if neither is in front, whether v is lower, and then whether v is
-  // farther left.
+  // Whether v is farther to the front than `other`. Ties go to the lower vertex, and then to the left vertex.
   const auto goes_before = [&](int v, int other) {
     const Vector3 way = rest.position(v) - rest.position(other);
     for (const double by : {way(axes.front), -way(axes.up), -way(axes.right)})
@@ -41,7 +40,7 @@ int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   return nearest;
 }
 
-// Vertices on the side of the rest box where coordinate `axis` has the value `level`.
+// Vertices whose coordinate `axis` is `level`, up to rounding.
 std::vector<int> side_vertices(const RestMesh& rest, int axis, double level) {
   std::vector<int> side;
   for (int v = 0; v < rest.vertex_count(); ++v)
@@ -53,13 +52,13 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   std::vector<int> rim = side_vertices(rest, 2, level);
   if (static_cast<int>(rim.size()) == rest.vertex_count())
     throw std::invalid_argument(
-        fmt::format("'{}' names the vertices at one end of a tube along z; this mesh is flat, so that "
-                    "all its vertices would be pinned. Name corners or sides instead",
+        fmt::format("'{}' means the vertices at one end of a tube along z, but this mesh is flat, so that "
+                    "all vertices would be pinned. Use corners or sides instead",
                     name));
   return rim;
 }
 
-// Vertices within the radius of the middle vertex that have a neighbour outside the radius.
+// The vertices of a disc around the middle vertex that have a neighbour outside the disc.
 std::vector<int> circle_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
   const Vector2 extent = on_face(axes, rest.box_max() - rest.box_min());
@@ -72,7 +71,8 @@ std::vector<int> circle_vertices(const RestMesh& rest) {
   return circle;
 }
 
-// At 0.3 and 0.7, not at quarters: on a grid, several vertices would be equally near to a quarter.
+// The vertices nearest to 0.3 and 0.7 of both extents. (On a grid, several vertices are equally near to
+// 0.25.)
 std::vector<int> interior_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
   const Vector2 low = on_face(axes, rest.box_min()), extent = on_face(axes, rest.box_max()) - low;
@@ -83,7 +83,7 @@ std::vector<int> interior_vertices(const RestMesh& rest) {
   return interior;
 }
 
-// Squared distance of a point from the segment a b.
+// Squared distance of a point from the segment from a to b.
 double squared_distance(const Vector3& point, const Vector3& a, const Vector3& b) {
   const Vector3 along = b - a;
   const double length = along.squaredNorm(),
@@ -91,7 +91,7 @@ double squared_distance(const Vector3& point, const Vector3& a, const Vector3& b
   return (point - a - share * along).squaredNorm();
 }
 
-// Marks the vertices within `distance` of a seed or of an edge between two seeds.
+// Marks the vertices within `distance` of a seed (see pins.hpp) or of an edge between two seeds.
 void pin_within(const RestMesh& rest, const std::vector<int>& seeds, double distance,
                 std::vector<char>& is_pinned) {
   std::vector<std::array<int, 2>> segments;
@@ -134,7 +134,7 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
 }
 
 NamedAxes named_axes(const RestMesh& rest) {
-  constexpr double thin = 0.1;  // of both other extents; the folds of a curtain are less deep
+  constexpr double thin = 0.1;  // of the other two extents; the folds of a curtain are less deep
   const Vector3 extent = rest.box_max() - rest.box_min();
   const auto is_thin = [&](int axis, int second, int third) {
     return extent(axis) < thin * std::min(extent(second), extent(third));

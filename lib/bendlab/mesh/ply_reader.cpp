@@ -26,7 +26,7 @@ double read_number(std::string_view& bytes, bool swap) {
 
 struct Type {
   std::string_view name, alias;
-  double (*read)(std::string_view& bytes, bool swap);  // removes a binary number from the front
+  double (*read)(std::string_view& bytes, bool swap);  // removes the first number from `bytes`
 };
 
 constexpr std::array<Type, 8> types = {{{"char", "int8", read_number<std::int8_t>},
@@ -41,7 +41,7 @@ constexpr std::array<Type, 8> types = {{{"char", "int8", read_number<std::int8_t
 struct Property {
   std::string_view name;
   const Type* type;
-  const Type* count_type;  // type of a list's length; null if it is no list
+  const Type* count_type;  // type of a list's length; null if the property is not a list
 };
 
 struct Element {
@@ -103,7 +103,7 @@ std::int64_t whole(double value) {
   return static_cast<std::int64_t>(value);
 }
 
-// Reads a property of one item: a single value, or all values of a list.
+// Reads a property of a vertex, face or other item: a single value, or all values of a list.
 void read_property(const Property& property, const ValueSource& next, std::vector<double>& values) {
   values.clear();
   const std::int64_t count = property.count_type ? whole(next(*property.count_type)) : 1;

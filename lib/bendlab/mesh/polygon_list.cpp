@@ -20,7 +20,7 @@ double size_of(const std::vector<std::array<double, 3>>& points) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-// The corners of a polygon whose triangles form a fan.
+// The corners of a polygon that is stored as a fan of triangles.
 std::vector<std::int64_t> corners_of(std::span<const Triple> fan) {
   std::vector<std::int64_t> corners = {fan[0][0], fan[0][1]};
   for (const Triple& triangle : fan) corners.push_back(triangle[2]);

@@ -11,20 +11,20 @@
 
 namespace bendlab {
 
-/// Puts polygons into a soup: n corners become n - 2 triangles. Faces may come before their points in a file,
-/// so all polygons are cut at the end, by cut_polygon.hpp.
+/// Adds polygons to a soup: n corners give n - 2 triangles. In a file, faces may come before their points, so
+/// all polygons are cut at the end (cut_polygon.hpp).
 class PolygonList {
  public:
-  /// `place` is "line" or "face", for error texts: add() gets the number of a line or of a face of the file.
+  /// `place` is "line" or "face", for error texts. add() gets the number of that line or face in the file.
   PolygonList(PolygonSoup& soup, std::string_view place) : soup_(soup), place_(place) {}
 
   /// Throws std::invalid_argument for fewer than three corners.
   void add(std::span<const std::int64_t> corners, std::size_t place);
 
-  /// Call it after the last polygon and point. `attributes` (one per triangle, or none) holds further indices
-  /// of the corners, such as those of texture coordinates, in fans around each polygon's first corner. They
-  /// are rearranged like the triangles. Throws std::invalid_argument if a polygon cannot be cut. Polygons
-  /// with corners that do not exist or are not finite become fans.
+  /// Cuts all polygons; to be called after the last polygon and point. `attributes` (one per triangle, or
+  /// none) holds other indices of the triangles' corners, for example of texture coordinates; they are
+  /// rearranged with the triangles. Throws std::invalid_argument if a polygon cannot be cut. A polygon
+  /// becomes a fan if a corner does not exist or is not finite.
   void cut(std::span<std::array<std::int64_t, 3>> attributes = {});
 
  private:

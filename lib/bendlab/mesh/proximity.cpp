@@ -8,7 +8,7 @@ namespace bendlab {
 namespace {
 
 constexpr int most_advances = 64;
-constexpr double surely_kept = 0.9;  // of the separation: without a contact, a pair stays farther apart
+constexpr double surely_kept = 0.9;  // of the separation: a pair without contact stays farther apart
 
 Gap gap_of(const Corners& x, const std::array<double, 4>& weight) {
   return {weight, weight[0] * x[0] + weight[1] * x[1] + weight[2] * x[2] + weight[3] * x[3]};
@@ -20,7 +20,7 @@ double fraction_along(const Vector3& point, const Vector3& from, const Vector3& 
   return squared > 0 ? std::clamp(edge.dot(point - from) / squared, 0.0, 1.0) : 0;
 }
 
-// If the vertex projects outside of the triangle, the nearest of its edges decides.
+// If the projection of the vertex is outside the triangle, the nearest point is on an edge.
 Gap vertex_triangle_gap(const Corners& x) {
   const Vector3 ab = x[2] - x[1], ac = x[3] - x[1], ap = x[0] - x[1];
   const Vector3 normal = ab.cross(ac);
@@ -45,8 +45,7 @@ Gap edge_edge_gap(const Corners& x) {
   const Vector3 first = x[1] - x[0], second = x[3] - x[2], apart = x[0] - x[2];
   const double a = first.squaredNorm(), e = second.squaredNorm(), b = first.dot(second);
   const double determinant = a * e - b * b;
-  // Parallel edges: any point of the first edge will do, because the closest point of the second edge is
-  // found afterwards.
+  // For parallel edges, any point of the first edge is good, because t and then s are computed from it.
   double s =
       determinant > 0 ? std::clamp((b * second.dot(apart) - e * first.dot(apart)) / determinant, 0., 1.) : 0;
   const double t = fraction_along(x[0] + s * first, x[2], x[3]);
@@ -66,8 +65,8 @@ double separation_along(const Vector3& normal, Pairing pairing, const Corners& x
                                              : std::min(at[0], at[1]) - std::max(at[2], at[3]);
 }
 
-// Along the gap's normal, vertices of different elements are at least as far apart as the gap is long. So no
-// contact is possible before two such vertices are nearly as close as the separation.
+// Measured along the gap, a vertex of one element and a vertex of the other are at least the gap's length
+// apart. So all four vertices can move on until two such vertices are only 0.9 `separation` apart.
 std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Corners& end,
                                  double separation) {
   const std::size_t second = pairing == Pairing::vertex_triangle ? 1 : 2;

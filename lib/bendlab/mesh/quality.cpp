@@ -19,24 +19,26 @@ namespace {
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 constexpr std::array<QualityMeasure, 7> measures = {{
-    {"edge_ratio", "1", "Longest edge over shortest edge"},
-    {"aspect_ratio", "1", "Longest edge times perimeter, over 4√3 times the area"},
-    {"radius_ratio", "1", "Circumradius over twice the inradius"},
-    {"shape", "1", "4√3 times the area, over the sum of squared edges (1: equilateral, 0: no area)"},
+    {"edge_ratio", "1", "Longest edge divided by shortest edge"},
+    {"aspect_ratio", "1", "Longest edge times perimeter, divided by 4√3 times the area"},
+    {"radius_ratio", "1", "Circumradius divided by twice the inradius"},
+    {"shape", "1",
+     "4√3 times the area, divided by the sum of the squared edge lengths (1: equilateral, 0: "
+     "no area)"},
     {"minimum_angle", "degrees", "Smallest angle"},
     {"maximum_angle", "degrees", "Largest angle"},
     {"condition", "1", "Condition number of the map from an equilateral triangle to this triangle"},
 }};
 
-// A triangle's squared edge lengths, ascending, twice its area, and the scalar products of the two edges at
-// the corners with the smallest and the largest angle; scaled so that nothing over- or underflows.
+// Squared edge lengths of a triangle in ascending order, twice the area, and the scalar product of the two
+// edges at the smallest and at the largest angle. Scaled, so that no number overflows or underflows.
 struct ScaledTriangle {
   std::array<double, 3> squared;
   double twice_area, dot_at_smallest, dot_at_largest;
   bool finite;
 
   ScaledTriangle(const Vector3& a, const Vector3& b, const Vector3& c) {
-    Vector3 ab = b - a, bc = c - b, ca = a - c;  // all from corners: short edges keep their digits
+    Vector3 ab = b - a, bc = c - b, ca = a - c;  // differences of corners, so that short edges are exact
     const double scale = (ab.cwiseAbs() + bc.cwiseAbs() + ca.cwiseAbs()).sum();
     finite = std::isfinite(scale);
     if (finite && scale > 0) ab /= scale, bc /= scale, ca /= scale;
@@ -55,8 +57,8 @@ double cotangent(double degrees) {
   return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : unbounded;
 }
 
-// Percentiles are found with keys, in the order of `measures`. A key grows with its metric and is cheaper to
-// compute. The key of the edge ratio is its square; the key of an angle is its negative cotangent.
+// Numbers to sort by, in the order of `measures`. A key grows with the metric and is cheaper to compute: the
+// squared ratio for the edge ratio, the negative cotangent for an angle.
 using Keys = std::array<double, 7>;
 
 Keys keys_of(const ScaledTriangle& t) {
@@ -69,7 +71,7 @@ Keys keys_of(const ScaledTriangle& t) {
   const double perimeter = shortest + middle + longest;
   const double equilateral = 2 * std::numbers::sqrt3 * t.twice_area;  // 4√3 A
   const double per_area = 1 / t.twice_area, per_equilateral = 1 / equilateral;
-  // √((a + b + c)² - 48 A²), written as a sum of squares: it loses no digits near the equilateral triangle.
+  // √((a + b + c)² - 48 A²), written as a sum of squares: accurate also for nearly equilateral triangles.
   const double distortion = std::sqrt(2 * ((a - b) * (a - b) + (b - c) * (b - c) + (c - a) * (c - a)));
   return {edge_ratio,
           longest * perimeter * per_equilateral,
@@ -92,8 +94,8 @@ double measure_from_key(std::size_t measure, double key) {
   }
 }
 
-// Finds values by rank in two passes instead of partitioning everything: the first pass counts keys by their
-// leading bits, the second pass collects only the buckets in which a wanted rank lies.
+// Finds the keys with given ranks without sorting all keys. A first pass counts the keys in buckets, by their
+// leading bits. A second pass collects only the keys of the buckets that contain one of the ranks.
 class RankFinder {
  public:
   /// The keys with these ranks. The smallest key has rank 0; ranks ascend and are below keys.size(). No key
@@ -117,7 +119,7 @@ class RankFinder {
     }
     inside_.resize(keys.size());
     std::size_t count = 0;
-    for (std::size_t i = 0; i < keys.size(); ++i) {  // without a branch, which could not be predicted
+    for (std::size_t i = 0; i < keys.size(); ++i) {  // no branch here, because the CPU could not predict it
       inside_[count] = keys[i];
       count += wanted_[bucket_of_[i]];
     }
@@ -136,8 +138,8 @@ class RankFinder {
  private:
   static constexpr int bucket_bits = 13;  // 16 buckets an octave
 
-  // The bucket's number grows with the key: sign, exponent and leading digits of the nearest float. The bits
-  // of negative keys are inverted.
+  // The number of a key's bucket: sign, exponent and leading digits of the nearest float. The bits of
+  // negative keys are inverted, so that the number grows with the key.
   static std::uint16_t bucket(double key) {
     const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(key));
     const std::uint32_t ascending = bits >> 31 ? ~bits : bits | 0x80000000u;
@@ -169,8 +171,7 @@ MeshQuality measure_quality(const Positions& positions, const Triangles& triangl
   MeshQuality quality;
   if (triangles.rows() == 0) return quality;
 
-  // Rounding changes the scaled area of collinear points by a few 10⁻¹⁶. The exact predicate is called only
-  // for areas below this limit.
+  // By rounding, the scaled area of collinear points is up to a few 10⁻¹⁶, less than this limit.
   constexpr double surely_not_collinear = 1e-14;
   const double cap_key = -cotangent(thresholds.cap_angle), small_key = -cotangent(thresholds.small_angle);
   std::array<std::vector<double>, 7> keys;

@@ -1,4 +1,4 @@
-// Shape of triangles: seven metrics, and how many triangles are bad. Cheap enough for every recorded frame.
+// The shape of triangles: seven metrics, and numbers of bad triangles. Fast enough for every frame of a run.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// Limits at which a triangle begins to count as bad.
+/// Limits beyond which a triangle counts as bad.
 struct QualityThresholds {
   double needle_ratio = 4;  ///< longest to shortest edge, at least 1
   double cap_angle = 160;   ///< degrees, 90 to 180
@@ -31,10 +31,9 @@ struct QualityMeasure {
 /// All but the angles are 1 for an equilateral triangle.
 std::span<const QualityMeasure> quality_measures();
 
-/// Summary of a shape metric over all triangles. A percentile is the value of the nearest rank, without
-/// interpolation, so that infinity stays infinity. A triangle without area has the worst value of every
-/// metric except the edge ratio (infinity, shape 0, angles 0 and 180). If a position is not finite, the edge
-/// ratio is infinite, too.
+/// Summary of a shape metric over all triangles. A percentile is the value with the nearest rank; it is not
+/// interpolated, because values may be infinite. A triangle without area has shape 0, angles 0 and 180, and
+/// infinity in the other metrics except edge_ratio. If a position is not finite, edge_ratio is infinite, too.
 struct MeasureSummary {
   double minimum, percentile_1, median, percentile_99, maximum;
 };
@@ -43,8 +42,8 @@ struct MeshQuality {
   std::array<MeasureSummary, 7> measures{};  ///< all 0 if there are no triangles
   int needles = 0;       ///< longest edge >= needle_ratio · shortest (CGAL's is_needle_triangle_face)
   int caps = 0;          ///< an angle >= cap_angle and no edge of length 0 (CGAL's is_cap_triangle_face)
-  int collinear = 0;     ///< the three points are exactly collinear (CGAL's exact predicate)
-  int non_finite = 0;    ///< a coordinate, or the difference of two, is not finite
+  int collinear = 0;     ///< the three points are collinear by CGAL's exact predicate
+  int non_finite = 0;    ///< a coordinate, or a difference of two coordinates, is not finite
   int small_angles = 0;  ///< an angle < small_angle
   int degenerate_triangles = 0;  ///< needle, cap, collinear or not finite; each triangle counts once
 };

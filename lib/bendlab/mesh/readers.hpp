@@ -1,11 +1,13 @@
-// The mesh file formats, from a file's bytes to a soup. All throw std::invalid_argument if the bytes do not
-// follow the format; for text files it names the line. Indices and coordinates are not checked. Polygons are
-// cut into triangles, by cut_polygon.hpp.
+// Readers of mesh file formats: from the bytes of a file to a soup. If the bytes do not follow the format, a
+// reader throws std::invalid_argument, for text files with the line number. Indices and coordinates are not
+// checked. Polygons are cut into triangles (cut_polygon.hpp).
 //
-// CGAL (5.5) could read these formats, too, but is not used. Its readers return a bare "false" for bad
-// numbers and indices; read "1.5" as the index 1; allocate as much as a header or a list announces, even if
-// the data are missing; crash on a PLY file whose coordinates are whole numbers; and refuse STL in capitals,
-// with quads, or of a solid named "facet".
+// The readers of CGAL (5.5) are not used, because they
+// * return "false" without a reason for bad numbers and indices,
+// * read "1.5" as the index 1,
+// * allocate as much memory as a header announces, even if the data are missing,
+// * crash on a PLY file whose coordinates are integers,
+// * refuse STL files in capital letters, with quads, or with a solid named "facet".
 #pragma once
 
 #include <string_view>

@@ -19,7 +19,7 @@
 namespace bendlab {
 namespace {
 
-// The vertices in the middles of edges. Their numbers follow those of the mesh's own vertices.
+// New vertices in the middle of edges, numbered after the vertices of the mesh.
 class Middles {
  public:
   explicit Middles(const TriangleMesh& mesh) : mesh_(mesh), next_(static_cast<int>(mesh.vertex_count())) {}
@@ -35,7 +35,7 @@ class Middles {
     return entry->second;
   }
 
-  // The mesh's own positions, followed by the middles.
+  // The positions of the mesh's vertices, followed by the middles of edges.
   Positions positions() const {
     Positions all(next_, 3);
     all.topRows(mesh_.vertex_count()) = mesh_.positions;
@@ -52,8 +52,8 @@ class Middles {
 };
 
 //        2
-//       / \        corner c and the middle c + 3 of the edge from c to the next corner:
-//     5 --- 4      the three triangles at the corners, then the one in the middle
+//       / \        c: a corner; c + 3: the middle of the edge from corner c to the next corner.
+//     5 --- 4      First the three triangles at the corners, then the triangle in the middle.
 //     / \ / \      .
 //    0 - 3 - 1     .
 constexpr std::array<std::array<int, 3>, 4> quarters = {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}};
@@ -89,7 +89,8 @@ TriangleMesh refined_once(const TriangleMesh& mesh) {
   return fine;
 }
 
-// For each vertex: the smallest height of its triangles (m), and its normal, weighted by areas.
+// For each vertex: smallest height of the adjacent triangles (m), and sum of their normals, weighted by
+// areas.
 struct Surroundings {
   std::vector<double> height;
   std::vector<Vector3> normal;
@@ -132,7 +133,7 @@ TriangleMesh refined(const TriangleMesh& mesh, int times) {
 TriangleMesh jittered(const TriangleMesh& mesh, double share, std::uint64_t seed) {
   if (mesh.texture_coordinates.rows() > 0)
     throw std::invalid_argument(
-        "a mesh with texture coordinates can't be jittered, because they would no longer fit");
+        "can't jitter a mesh with texture coordinates, because the texture would not fit: remove jitter");
   const RestMesh rest(mesh);
   const Surroundings around(rest);
   std::vector<int> triangles(around.height.size(), 0);

@@ -29,9 +29,9 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// Why CGAL's repair of a soup is not used: it renumbers vertices that need no repair, it drops texture
-// coordinates, a NaN in an unused point makes it merge different points, and it cuts a Möbius band along its
-// length. Its remove_degenerate_faces() sees only areas that are exactly zero.
+// CGAL's repair of soups is not used, because it renumbers vertices that need no repair, drops texture
+// coordinates, merges different points if an unused point is NaN, and cuts a Möbius band along instead of
+// across. CGAL's remove_degenerate_faces() removes only triangles whose area is exactly zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
@@ -47,10 +47,10 @@ class Mender {
   Repaired run() {
     unite_near_points();
     find_thickness();
-    constexpr int rounds = 100;  // if two neighbours are thin, the second has to wait for a round
+    constexpr int rounds = 100;  // of two thin neighbours, the second is repaired in a later round
     for (int round = 0; round < rounds && mend_thin_triangles(); ++round) unite();
     std::erase_if(triangles_, [&](const Triangle& t) { return thin(t); });
-    while (turn_and_cut()) {  // a cut may leave two triangles of an edge, which may face different sides
+    while (turn_and_cut()) {  // a cut may leave an edge with two triangles that face different sides
     }
     report_cuts();
     return {.soup = soup(), .notes = std::move(notes_)};
@@ -89,14 +89,13 @@ class Mender {
     unite();
     if (united > 0)
       notes_.push_back(fmt::format(
-          "united: {} with another vertex {} (the tolerance is {:.2g} m, {:.0e} of the mesh's size)",
+          "united: {}, each with a vertex {} (the tolerance is {:.2g} m, {:.0e} of the mesh's size)",
           united == 1 ? "1 vertex" : fmt::format("{} vertices", united),
           farthest > 0 ? fmt::format("at most {:.2g} m away", farthest) : "at the same place", tolerance,
           united_within));
   }
 
-  // Gives united vertices the same index. Removes triangles that lose a corner by this, and duplicate
-  // triangles.
+  // Gives united vertices the same index. Removes triangles with two equal corners, and duplicate triangles.
   void unite() {
     std::set<std::array<std::size_t, 3>> seen;
     std::erase_if(triangles_, [&](Triangle& t) {
@@ -114,9 +113,9 @@ class Mender {
     thickness_ = box.isEmpty() ? 0 : zero_area_thickness * box.diagonal().norm();
   }
 
-  // If a thin triangle has a short edge, the ends of that edge are united. Otherwise a vertex m lies on its
-  // longest edge: the triangles beyond that edge are split at m, and the thin triangle is removed. Returns
-  // whether any triangle was thin.
+  // Repairs triangles without area. If such a triangle has a short edge, the ends of that edge are united. If
+  // not, a corner m lies on the longest edge: the triangles beyond that edge are split at m, and the thin
+  // triangle is removed. Returns whether any triangle was thin.
   //
   //      a --- m --- b          a --- m --- b
   //        \       /     ->       \   |   /
@@ -175,9 +174,9 @@ class Mender {
     return soup;
   }
 
-  // Turns triangles so that neighbours face the same side. Then every fan of triangles around a vertex gets a
-  // vertex of its own: the mesh is cut where the surface branches, touches itself at a point, or has only one
-  // side. Returns whether the mesh was cut.
+  // Reverses triangles so that neighbours face the same side. Then cuts the mesh where the surface branches,
+  // touches itself at a point, or has only one side, by giving every fan of triangles around a vertex a
+  // separate vertex. Returns whether the mesh was cut.
   bool turn_and_cut() {
     const PolygonSoup before = soup();
     const Orientation orientation = orientation_of(before);
@@ -200,8 +199,7 @@ class Mender {
     return double_vertices(fans);
   }
 
-  // Gives each fan a vertex of its own; the first fan keeps the old vertex. Returns whether there are new
-  // vertices.
+  // Gives each fan a vertex; the first fan keeps the old vertex. Returns whether vertices were added.
   bool double_vertices(DisjointSets& fans) {
     constexpr std::size_t unset = static_cast<std::size_t>(-1);
     const std::size_t before = points_.size();
@@ -230,8 +228,8 @@ class Mender {
   void report_cuts() {
     if (seams_ > 0)
       notes_.push_back(fmt::format(
-          "cut along {}, {:.3g} m in all, because the surface has only one side there, like a Möbius "
-          "band: its triangles cannot all face the same side",
+          "cut along {}, {:.3g} m in all, because the surface has only one side there, like a Möbius band, "
+          "so that not all triangles can face the same side",
           seams_ == 1 ? "1 edge" : fmt::format("{} edges", seams_), seam_length_));
   }
 

@@ -17,8 +17,8 @@ Adjacency adjacency_of(const Edges& edges, int vertex_count) {
   for (std::size_t v = 0; v + 1 < rings.offsets.size(); ++v) rings.offsets[v + 1] += rings.offsets[v];
   rings.targets.resize(static_cast<std::size_t>(2 * edges.rows()));
   std::vector<int> next(rings.offsets.begin(), rings.offsets.end() - 1);
-  // Edges are sorted by (low, high). So each vertex first gets its lower neighbours and then its higher
-  // neighbours, both ascending.
+  // Edges are sorted by (lower end, higher end). The first pass adds the lower neighbours of each vertex, the
+  // second pass the higher neighbours, so the neighbours are in ascending order.
   for (int end = 1; end >= 0; --end)
     for (Eigen::Index e = 0; e < edges.rows(); ++e)
       rings.targets[static_cast<std::size_t>(next[static_cast<std::size_t>(edges(e, end))]++)] =

@@ -1,5 +1,4 @@
-// The rest state of a cloth: the mesh, and the edges, one-rings, hinges, areas and size that are computed
-// from it once.
+// The rest state of a cloth: the mesh, and its edges, one-rings, hinges, areas and size.
 #pragma once
 
 #include <array>
@@ -11,7 +10,7 @@
 namespace bendlab {
 
 ///        opposite[0]
-///           /  \          The two triangles that share an interior edge.
+///           /  \          An interior edge and its two triangles.
 ///   edge[0] ---- edge[1]
 ///           \  /
 ///        opposite[1]
@@ -20,8 +19,8 @@ struct Hinge {
   std::array<int, 2> opposite;
 };
 
-/// The neighbours of each vertex as compressed rows: the neighbours of v are `targets[offsets[v] ..
-/// offsets[v+1])`, ascending.
+/// The neighbours of all vertices in one array. The neighbours of v are targets[offsets[v]] to
+/// targets[offsets[v + 1] - 1], in ascending order.
 struct Adjacency {
   std::vector<int> offsets;  ///< #V + 1
   std::vector<int> targets;

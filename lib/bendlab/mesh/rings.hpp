@@ -1,4 +1,4 @@
-// k-rings: ring r of a vertex holds the vertices exactly r edges away (breadth-first over mesh edges).
+// Rings of neighbours: ring r of a vertex consists of the vertices that are exactly r edges away.
 #pragma once
 
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace bendlab {
 
-/// Walks rings outward from one vertex at a time. Its #V marks need no clearing between walks. Not
+/// Finds the rings around one vertex after another, without clearing an array of #V entries each time. Not
 /// thread-safe: use one object per thread.
 class RingWalker {
  public:
   explicit RingWalker(const Adjacency& one_ring);
 
-  /// Visits `centre` and its rings 1 … `rings`. Afterwards ring(r) holds the vertices exactly r edges away,
-  /// in breadth-first order; ring(0) is the centre. Rings that do not exist are empty.
+  /// Finds the rings 1 … `rings` around `centre`. Afterwards ring(r) gives the vertices exactly r edges away,
+  /// in breadth-first order; ring(0) is the centre. On a small mesh, the last rings are empty.
   void walk(int centre, int rings);
   std::span<const int> ring(int r) const;
 

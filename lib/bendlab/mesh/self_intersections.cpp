@@ -25,8 +25,8 @@ Mesh surface(const Positions& positions, const Triangles& triangles) {
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     if (mesh.add_face(corner(t, 0), corner(t, 1), corner(t, 2)) == Mesh::null_face())
       throw std::invalid_argument(fmt::format(
-          "self_intersections: with triangle {} the mesh is no oriented manifold; run `bendlab mesh` "
-          "to see its problems",
+          "self_intersections: triangle {} cannot be part of an oriented manifold mesh; run `bendlab mesh "
+          "FILE` to see the problems of the mesh",
           t));
   return mesh;
 }
@@ -36,7 +36,7 @@ Mesh surface(const Positions& positions, const Triangles& triangles) {
 std::vector<std::array<int, 2>> self_intersections(const Positions& positions, const Triangles& triangles) {
   if (!positions.allFinite())
     throw std::invalid_argument(
-        "self_intersections: a position is not finite; ask for a frame before the cloth diverged");
+        "self_intersections: a position is not finite; use a frame from before the cloth diverged");
   std::vector<std::pair<Mesh::Face_index, Mesh::Face_index>> face_pairs;
   CGAL::Polygon_mesh_processing::self_intersections(surface(positions, triangles),
                                                     std::back_inserter(face_pairs));

@@ -8,10 +8,10 @@
 
 namespace bendlab {
 
-/// Pairs of triangles that intersect outside of the vertices or the edge that they share, by CGAL's exact
-/// predicates (Polygon Mesh Processing, self_intersections). Each pair is ascending, and so is the list. A
-/// triangle with collinear points is paired with itself. Throws std::invalid_argument for positions that are
-/// not finite and for triangles that are no oriented manifold.
+/// Pairs of triangles that intersect, found by CGAL's exact predicates (Polygon Mesh Processing,
+/// self_intersections). Shared vertices and edges are not intersections. A pair has the smaller index first;
+/// pairs are sorted. A triangle with collinear points forms a pair with itself. Throws std::invalid_argument
+/// if a position is not finite, or if the triangles are not an oriented manifold.
 std::vector<std::array<int, 2>> self_intersections(const Positions& positions, const Triangles& triangles);
 
 }  // namespace bendlab

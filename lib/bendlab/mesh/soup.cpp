@@ -20,7 +20,7 @@ struct KindText {
   std::string_view singular, plural;
 };
 
-// fmt would compare a NaN with a number, which traps in the debug program.
+// Does not give a NaN to fmt, which compares numbers: with BENDLAB_TRAPS that would stop the program.
 std::string number_text(double number) {
   if (std::isfinite(number)) return fmt::format("{}", number);
   return std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf";
@@ -44,11 +44,11 @@ KindText text_of(MeshProblemKind kind) {
     case MeshProblemKind::non_manifold_edge:
       return {"edge shared by more than two triangles", "edges shared by more than two triangles"};
     case MeshProblemKind::non_manifold_vertex:
-      return {"vertex where parts of the mesh touch in a point",
-              "vertices where parts of the mesh touch in a point"};
+      return {"vertex where parts of the mesh touch only at this point",
+              "vertices where parts of the mesh touch only at a point"};
     case MeshProblemKind::inconsistent_orientation:
-      return {"edge whose triangles are oriented differently",
-              "edges whose triangles are oriented differently"};
+      return {"edge whose two triangles face different sides",
+              "edges whose two triangles face different sides"};
     case MeshProblemKind::isolated_vertex:
       return {"vertex in no triangle", "vertices in no triangle"};
   }
@@ -149,8 +149,8 @@ class Diagnosis {
     std::erase_if(sound_, [&](std::size_t t) { return std::binary_search(copies.begin(), copies.end(), t); });
   }
 
-  // Checks edges, and finds the fans of triangles around vertices: two corners at a vertex are in the same
-  // fan if an edge connects their triangles.
+  // Checks edges, and finds the fans of triangles around vertices. A fan consists of the triangles at a
+  // vertex that are connected by edges at that vertex.
   void check_edges() {
     using Side = HalfEdge<std::int64_t>;
     const auto triangle = [&](const Side& side) { return sound_[static_cast<std::size_t>(side.triangle())]; };

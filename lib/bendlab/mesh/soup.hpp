@@ -1,4 +1,4 @@
-// A mesh as read from a file, unchecked, and the problems in it. All indices count from 0.
+// A polygon soup holds unchecked points and triangles of a mesh file. diagnose() finds problems in a soup.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@ namespace bendlab {
 struct PolygonSoup {
   std::vector<std::array<double, 3>> points;           ///< m; may be any numbers
   std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices into `points`; may be out of range
-  /// One per triangle corner (3t + c), or empty; texture coordinates are finite.
+  /// Entry 3t + c belongs to corner c of triangle t; finite. Empty if the soup has no texture.
   std::vector<std::array<double, 2>> texture_coordinates;
-  /// Triangles without texture coordinates, if other triangles of the file have them.
+  /// Number of triangles without texture coordinates; 0 if no triangle of the file has any.
   std::size_t untextured_triangles = 0;
 };
 
-/// Does not use allFinite(): it would subtract infinities, which traps in the debug program.
+/// Does not use allFinite(), which subtracts infinities: with BENDLAB_TRAPS that would stop the program.
 template <class Point>
 bool is_finite(const Point& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
@@ -32,10 +32,10 @@ enum class MeshProblemKind {
   repeated_vertex,           ///< a triangle names a vertex twice
   zero_area,                 ///< thinner than zero_area_thickness of the mesh's size
   duplicate_triangle,        ///< the same three vertices as an earlier triangle
-  non_manifold_edge,         ///< more than two triangles share it
-  non_manifold_vertex,       ///< its triangles form several fans that touch only at the vertex ("bow tie")
-  inconsistent_orientation,  ///< the two triangles of an edge run along it in the same direction
-  isolated_vertex,           ///< in no triangle; harmless: to_mesh() drops it
+  non_manifold_edge,         ///< more than two triangles share the edge
+  non_manifold_vertex,       ///< triangles form several fans that touch only at the vertex ("bow tie")
+  inconsistent_orientation,  ///< the two triangles of an edge face different sides
+  isolated_vertex,           ///< in no triangle; harmless: to_mesh() leaves such vertices out
 };
 
 struct MeshProblem {
@@ -47,21 +47,21 @@ struct MeshProblem {
 };
 
 /// A triangle has zero area if its smallest height is at most this times the diagonal of the mesh's box.
-/// Single precision, of a file or of a run, rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size. Below that, the
-/// vertices cannot be distinguished from collinear vertices, and Q⁻¹ is noise. The limit is relative, so that
-/// units don't matter. It is a limit of the height, because Q⁻¹ divides by the height. measure_quality()
-/// counts thin triangles above this limit.
+/// Files and runs in single precision round coordinates by 2⁻²⁴ = 6·10⁻⁸ of that diagonal. The three points
+/// of a triangle that is so thin may really be collinear, so Q⁻¹ would be meaningless. The limit is relative,
+/// because a mesh may be in any unit, and applies to the height, because Q⁻¹ divides by the height.
+/// measure_quality() counts thin triangles above this limit.
 inline constexpr double zero_area_thickness = 1e-7;
 
-/// All problems, one per kind and in the order of the kinds; empty if the mesh can be simulated. Duplicates
-/// and triangles with a bad index or a repeated vertex are left out of later checks.
+/// All problems, one per kind, in the order of MeshProblemKind; empty if the mesh can be simulated.
+/// Duplicates, and triangles with a bad index or a repeated vertex, are left out of later checks.
 std::vector<MeshProblem> diagnose(const PolygonSoup& soup);
 std::vector<MeshProblem> diagnose(const TriangleMesh& mesh);
 
-/// For example "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)"; without line break.
+/// For example "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)"; on one line.
 std::string describe(const MeshProblem& problem);
 
-/// A mesh's points and triangles, unchecked; without texture coordinates.
+/// The points and triangles of a mesh, without texture coordinates.
 PolygonSoup to_soup(const TriangleMesh& mesh);
 
 /// The soup without its isolated vertices (the other vertices keep their order). Indices have to be in range.

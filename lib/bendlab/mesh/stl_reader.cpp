@@ -15,7 +15,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is copied as it is");
 
-// Finds points by their bits: exactly equal points are one vertex.
+// Gives exactly equal points the same vertex.
 class PointMerger {
  public:
   explicit PointMerger(PolygonSoup& soup) : soup_(soup) {}
@@ -42,14 +42,14 @@ PolygonSoup parse_binary(std::string_view bytes) {
   const std::size_t size = header_size + triangle_size * triangles;
   if (bytes.size() < size)
     throw std::invalid_argument(
-        fmt::format("the file is neither text (it does not start with 'solid', or has bytes of value 0) nor "
-                    "binary ({} triangles would take {} bytes, but it has {})",
+        fmt::format("the file is neither a text (it does not start with 'solid', or has bytes of value 0) "
+                    "nor a binary STL file ({} triangles would need {} bytes, but the file has {} bytes)",
                     triangles, size, bytes.size()));
-  // Bytes after the last triangle are ignored, unless they could be whole triangles.
+  // If the bytes after the last triangle are whole triangles, the number in the header is wrong.
   if (const std::size_t more = bytes.size() - size; more > 0 && more % triangle_size == 0)
     throw std::invalid_argument(
-        fmt::format("the header of the binary file says {} triangles, but the file has room for {}: write it "
-                    "again with another program",
+        fmt::format("the header of the binary file says {} triangles, but the file has room for {}: export "
+                    "the mesh again with another program",
                     triangles, triangles + more / triangle_size));
   PolygonSoup soup;
   PointMerger points(soup);
@@ -65,7 +65,7 @@ PolygonSoup parse_binary(std::string_view bytes) {
   return soup;
 }
 
-// Whether both are equal apart from capitals, which old programs write.
+// Whether `text` is the word `lower`, in small or capital letters. Old programs write capitals.
 bool equal_but_for_case(std::string_view text, std::string_view lower) {
   return std::ranges::equal(text, lower, [](char a, char b) {
     return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
@@ -98,8 +98,8 @@ PolygonSoup parse_text(std::string_view bytes) {
   return soup;
 }
 
-// The header of a binary file may start with "solid", too, but then its number of triangles contains a zero
-// byte. (A number of 2²⁴ or more need not contain a zero byte, but the first triangles do.)
+// A file that starts with "solid" can still be binary. A binary file has a byte of value 0 near the start: in
+// the number of triangles if that is less than 2²⁴, or in the first triangles.
 bool is_text(std::string_view bytes) {
   constexpr std::size_t beginning = 1024;
   if (bytes.substr(0, beginning).find('\0') != bytes.npos) return false;

@@ -27,8 +27,7 @@ std::errc parse(std::string_view text, Number& value) {
 TextLines::TextLines(std::string_view text, char comment, char join)
     : rest_(text), comment_(comment), join_(join) {
   if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-  // If a \r alone ends the lines, a \n after a \r does not belong to the end of a line: it is the first byte
-  // of binary data behind a header.
+  // If the lines end with \r alone, a \n after the header's last \r is the first byte of binary data.
   const std::size_t end = rest_.find_first_of("\r\n");
   pairs_ = end == rest_.npos || rest_.substr(end, 2) == "\r\n" || rest_[end] == '\n';
 }
@@ -83,7 +82,7 @@ std::string_view TextLines::word(std::size_t i) const {
 double TextLines::real(std::size_t i) const {
   double value = 0;
   const std::errc error = parse(word(i), value);
-  if (error == std::errc::result_out_of_range)  // from_chars does not say whether too large or too small
+  if (error == std::errc::result_out_of_range)  // from_chars does not say if too large or too small
     return std::strtod(std::string(word(i)).c_str(), nullptr);
   if (error != std::errc()) fail(quoted(i) + " is not a number");
   return value;

@@ -8,31 +8,29 @@
 
 namespace bendlab {
 
-/// The lines of a text that hold words. A line ends with \n, \r\n or \r. A byte order mark of UTF-8 at the
-/// start is skipped. The text has to outlive the object. Throws std::invalid_argument with the line number if
-/// a word is missing or is not of the requested kind.
+/// The lines of a text that are not blank. A line ends with \n, \r\n or \r. A UTF-8 byte order mark at the
+/// start is skipped. The text has to exist as long as the object. Throws std::invalid_argument with the line
+/// number if a word is missing, or is not a number where a number is needed.
 class TextLines {
  public:
-  /// `comment`, if it is not 0, is the character that begins a comment, which ends with the line. `join`, if
-  /// it is not 0, is a character at the end of a line's last word that continues the line in the next line; a
-  /// comment may follow it.
+  /// `comment` is the character that begins a comment, which ends with the line. If the last word of a line
+  /// ends with the character `join`, the next line is appended to that line. 0 means no such character.
   explicit TextLines(std::string_view text, char comment = '\0', char join = '\0');
 
   /// Goes to the next line with at least one word; false at the end of the text.
   bool next();
-  /// The same, but the end of the text is an error: "… ends before <what>".
+  /// Like next(), but throws at the end of the text: "… ends before <what>".
   void need_next(std::string_view what);
 
-  std::size_t line() const { return line_; }  ///< number of the current line, or of its first part, from 1
+  std::size_t line() const { return line_; }  ///< number of the current line, or of its first part; from 1
   std::size_t word_count() const { return words_.size(); }
   std::string_view word(std::size_t i) const;
-  double real(std::size_t i) const;  ///< nan and inf are allowed; a number that is too large is infinite
+  double real(std::size_t i) const;  ///< may be nan or inf; a number that is too large is infinite
   std::int64_t integer(std::size_t i) const { return integer_of(word(i)); }
-  std::int64_t integer_of(std::string_view text) const;  ///< of a part of a word
+  std::int64_t integer_of(std::string_view text) const;  ///< from a part of a word
   std::size_t count(std::size_t i) const;                ///< an integer that is not negative
 
-  /// A word for an error text: in quotes, shortened if it is long, with a ? for each byte that is not
-  /// printable ASCII.
+  /// A word for an error text: in quotes and not too long. Each byte that is not printable ASCII becomes a ?.
   static std::string quoted(std::string_view text);
   std::string quoted(std::size_t i) const { return quoted(word(i)); }
 

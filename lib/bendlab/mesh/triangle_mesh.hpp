@@ -1,5 +1,5 @@
-// A mesh of positions and triangles only. Files, generators, metrics and figures exchange meshes in this
-// form.
+// A mesh of positions, triangles and, if it has a texture, texture coordinates. Files, generators and metrics
+// exchange meshes in this form.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     //
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;         ///< #E by 2, first < second
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  ///< 3#T by 2, or empty
 
-/// A view of numbers as rows of three. The numbers have to outlive the view.
+/// A view of numbers as rows of three. The numbers have to exist as long as the view.
 inline Eigen::Map<const Positions> as_rows(const std::vector<double>& numbers) {
   return {numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3};
 }
@@ -26,8 +26,8 @@ inline Eigen::Map<const Triangles> as_rows(const std::vector<int>& numbers) {
 struct TriangleMesh {
   Positions positions;
   Triangles triangles;
-  /// One row per triangle corner (row 3t + c), because a vertex on a seam has several texture coordinates;
-  /// empty if the mesh has no texture coordinates.
+  /// Row 3t + c belongs to corner c of triangle t, because a vertex on a seam has several texture
+  /// coordinates. Empty if the mesh has no texture.
   TextureCoordinates texture_coordinates;
 
   Eigen::Index vertex_count() const { return positions.rows(); }

@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-// The sets of triangles that edges connect.
+// The connected parts of the mesh: sets of triangles.
 DisjointSets parts_of(const Triangles& triangles) {
   DisjointSets parts(static_cast<std::size_t>(triangles.rows()));
   for_each_edge(half_edges(triangles), [&](std::span<const HalfEdge<int>> sides) {
@@ -51,8 +51,8 @@ RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span
   return {rotation, to_mean - rotation * from_mean};
 }
 
-// Maximises Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b), where only components perpendicular to the
-// axis count. So φ is the angle of the vector of both sums.
+// The best angle φ maximises Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b), with a and b perpendicular
+// to the axis. With C and S for the two sums, φ is the polar angle of (C, S).
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis) {
   double cosine = 0, sine = 0;

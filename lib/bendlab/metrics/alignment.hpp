@@ -1,5 +1,5 @@
-// Aligns poses: finds the rigid motion or the rotation that brings a pose nearest to another pose, and the
-// distance of a cloth from its rest shape apart from a rigid motion.
+// Aligns poses: finds the rigid motion, or the rotation about an axis, that brings a pose nearest to another
+// pose. Also measures how far a cloth is from a rigidly moved rest shape.
 #pragma once
 
 #include <span>
@@ -19,23 +19,24 @@ struct RigidMotion {
   }
 };
 
-/// The rigid motion (no reflection) with the least Σ weight |moved from - to|² (Kabsch 1976). `from` and `to`
-/// are #V by 3 in m, `weight` is #V and not negative.
+/// The rigid motion M, without reflection, with the least Σ weight |M(from) - to|² (Kabsch 1976). `from` and
+/// `to` are #V by 3 in m, `weight` is #V and not negative.
 RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span<const double> weight);
 
-/// The same, but only among the rotations about the line through `centre` along `axis` (unit length).
+/// Like nearest_motion(), but only rotations about the line through `centre` along `axis` (unit length) are
+/// allowed.
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis);
 
-/// Compares poses with a rest shape, after the rotation and translation that bring the rest shape nearest to
-/// the pose (Kabsch 1976). Reflections are not allowed, so a mirrored shape keeps a distance. Parts of the
-/// mesh that share no edge move independently, so each part is aligned by itself. Vertices in no triangle do
-/// not count.
+/// Compares poses with a rest shape that is first rotated and moved as near to the pose as possible (Kabsch
+/// 1976). Reflections are not allowed, so a mirrored pose has a distance above 0. Each connected part of the
+/// mesh is aligned separately, because the parts move independently. Vertices in no triangle do not count.
 class Alignment {
  public:
   explicit Alignment(const RestMesh& rest);
 
-  /// Root mean square over the vertices of the remaining distance, m; NaN if a position is not finite.
+  /// Distance of the vertices from the aligned rest shape, m, as a root mean square; NaN if a position is not
+  /// finite.
   double distance(const Positions& positions) const;
 
  private:

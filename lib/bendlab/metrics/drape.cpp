@@ -29,16 +29,17 @@ Areas areas_of(const RestMesh& rest, const Pins& pins) {
   }
   if (!(areas.table > 0))
     throw std::invalid_argument(
-        "drape: no triangle has all corners pinned; the pinned triangles are the specimen's table: pin its "
-        "centre, with a distance of the table's radius");
+        "drape: no triangle is pinned, but the pinned triangles are the table: pin the centre, with "
+        "/pins/distance equal to the table's radius");
   if (!(areas.table < areas.specimen))
     throw std::invalid_argument(
-        "drape: every triangle is pinned, so nothing hangs over the table: pin fewer vertices");
+        "drape: all triangles are pinned, so no cloth hangs over the table: pin fewer vertices");
   areas.centre /= areas.table;
   return areas;
 }
 
-// Extends the reach in each direction from the origin that meets the segment from `a` to `b`.
+// reach[k] is the distance from the origin to the outline in direction k. Extends the reach up to the segment
+// from `a` to `b`, in all directions that cross that segment.
 void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const double per_direction = 2 * pi / directions, start = std::atan2(a.y(), a.x());
   const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
@@ -46,7 +47,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   for (double k = std::ceil(low / per_direction); k * per_direction <= high; ++k) {
     const Eigen::Vector2d direction(std::cos(k * per_direction), std::sin(k * per_direction)), along = b - a;
     const double across = along.x() * direction.y() - along.y() * direction.x();
-    // The crossing with a segment that points at the origin is undefined, and by rounding may be anywhere.
+    // If the line of the segment passes through the origin, rounding errors may put the crossing anywhere.
     const double crossing = across == 0 ? 0 : (a.y() * direction.x() - a.x() * direction.y()) / across;
     const double share = std::clamp(crossing, 0.0, 1.0);
     const double distance = (a + share * along).dot(direction);
@@ -55,7 +56,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   }
 }
 
-// The number of maxima that are more than `depth` higher than the minima beside them.
+// The number of maxima of `reach` that are more than `depth` above the minima next to them.
 int maxima(const std::vector<double>& reach, double depth) {
   const auto lowest = static_cast<std::size_t>(std::min_element(reach.begin(), reach.end()) - reach.begin());
   int count = 0;

@@ -1,6 +1,6 @@
-// The drape coefficient (Cusick 1965; ISO 9073-9) of a round specimen that hangs over the edge of a round
-// table: the area of the overhanging part's shadow, over the area of the overhanging part. 1 for a stiff
-// board, 0 for cloth that falls straight down.
+// The drape coefficient (Cusick 1965; ISO 9073-9) of a round cloth that hangs over the edge of a round table:
+// the area of the shadow of the overhanging part, divided by the area of that part. The coefficient is 1 for
+// a stiff board, and 0 for cloth that hangs straight down.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,15 @@
 namespace bendlab {
 
 struct Drape {
-  double coefficient = 0;     ///< (shadow - table) / (specimen - table), areas
-  int folds = 0;              ///< maxima of the reach that stand out by more than a fiftieth of its mean
+  double coefficient = 0;     ///< ratio of areas: (shadow - table) / (cloth - table)
+  int folds = 0;              ///< maxima of the reach, at least 2 % of its mean above the next minima
   std::vector<double> reach;  ///< m, from the table's centre to the edge of the shadow, at equal angles
 };
 
-/// The drape of a cloth at `positions` (#V by 3, m). Its pinned triangles are the table, and its shadow falls
-/// along `down` (unit length). The outline of the shadow is found from the table's centre, so no cloth may
-/// hang back under the table. Throws std::invalid_argument if no triangle is pinned or nothing hangs over.
+/// The drape of a cloth at `positions` (#V by 3, m). The pinned triangles are the table, and the shadow is
+/// cast along `down` (unit length). Cloth that folds back under the table is not measured, because the
+/// outline of the shadow is described by one distance for each direction. Throws std::invalid_argument if no
+/// triangle or every triangle is pinned.
 Drape drape_of(const RestMesh& rest, const Pins& pins, const Positions& positions, const Vector3& down);
 
 }  // namespace bendlab

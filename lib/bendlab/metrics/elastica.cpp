@@ -8,14 +8,15 @@
 #include <numbers>
 #include <stdexcept>
 
-// Integrated from the free end, t = L - s, with φ = π/2 - θ, the angle to the vertical:
+// The strip is integrated from the free end to the clamp. t = L - s is the length from the free end, and
+// φ = π/2 - θ the angle to the vertical, in units where ρ g / C = 1:
 //
-//   φ' = κ(m),   m' = t sin φ,   m(0) = 0,   until φ = π/2, the clamp, at t = L;   Γ = L^(p+2)
+//   φ' = κ(m),   m' = t sin φ,   m(0) = 0.   φ = π/2 is reached at the clamp, where t = L;   Γ = L^(p+2)
 //
-// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve without a
-// shooting method, and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. With the cubic law the end of a
-// soft strip hangs exactly straight (φ = 0) up to a length t₀, because a small curvature costs no energy to
-// first order. Then t₀ replaces φ(0) as the given value.
+// So each angle φ(0) at the free end gives a point of the curve, without a shooting method. Even a nearly
+// vertical end (φ(0) = 10⁻³⁰) is accurate, because φ is small there. With the cubic law, the end of a soft
+// strip hangs exactly straight (φ = 0) over a length t₀, because a small curvature costs no energy to first
+// order. For such strips t₀ is given instead of φ(0).
 
 namespace bendlab {
 namespace {
@@ -26,7 +27,7 @@ double curvature(BendingLaw law, double moment) {
   return law == BendingLaw::linear ? moment : std::cbrt(moment);
 }
 
-// t, φ, m, and the reach and drop of the part between here and the free end.
+// The state at a point of the strip: t, φ, m, and the reach and drop from this point to the free end.
 enum Quantity { length, angle, moment, reach, drop };
 using State = std::array<double, 5>;
 
@@ -35,8 +36,7 @@ State derivative(BendingLaw law, const State& y, double length_rate) {
           std::sin(y[angle]) * length_rate, std::cos(y[angle]) * length_rate};
 }
 
-// One step of the classical Runge-Kutta method over `step` of a variable. `length_rate(variable, state)` is
-// dt / d variable.
+// One step of the classical Runge-Kutta method, in any variable v. `length_rate(v, state)` is dt/dv.
 template <class LengthRate>
 State runge_kutta(BendingLaw law, const State& y, double variable, double step, LengthRate length_rate) {
   const auto slope = [&](double part, const State& from) {
@@ -50,8 +50,8 @@ State runge_kutta(BendingLaw law, const State& y, double variable, double step, 
   return next;
 }
 
-// The free end: its angle to the vertical, or the length that hangs straight. Both follow from one number x:
-// the smaller x, the softer the strip.
+// The free end: its angle to the vertical, or the straight length t₀. free_end() computes either of them from
+// a number x; a smaller x means a softer strip.
 struct FreeEnd {
   double angle = 0, straight = 0;
 };
@@ -63,8 +63,8 @@ double largest_x(BendingLaw law) {
   return law == BendingLaw::linear ? std::log(quarter_turn) : quarter_turn;
 }
 
-// The state where the integration starts. Beyond a straight length t₀ the cubic law has the series
-// φ = √(t₀/24) τ² (1 + τ / 5t₀) in τ = t - t₀.
+// The state where the integration starts. With a straight length t₀, that is a little beyond t₀, where the
+// cubic law has the series φ = √(t₀/24) τ² (1 + τ / 5t₀) in τ = t - t₀.
 State start(const FreeEnd& end) {
   if (end.straight == 0) return {0, end.angle, 0, 0, 0};
   const double tau = 1e-3 * std::min(1.0, end.straight), next = tau / end.straight;
@@ -74,13 +74,13 @@ State start(const FreeEnd& end) {
           end.straight + tau};
 }
 
-// The length of a strip whose free end has the small deflection θ.
+// The length of a strip whose free end slopes by the small angle θ.
 double short_length(BendingLaw law, double theta) {
   return law == BendingLaw::linear ? std::cbrt(6 * theta) : std::pow(std::cbrt(2.0) * 5 / 3 * theta, 3.0 / 5);
 }
 
 HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
-  // The cubic law's solution is smooth in u = ∛τ; in t it behaves like τ^(5/3).
+  // With the cubic law, the solution is a smooth function of u = ∛τ, but not of t (it contains τ^(5/3)).
   const int power = law == BendingLaw::linear ? 1 : 3;
   const double estimated_length = std::min(1.0, short_length(law, quarter_turn - end.angle));
   constexpr double fineness = 0.01;  // error in Γ: 10⁻⁹ (linear), 10⁻⁷ (cubic); of fourth order
@@ -96,7 +96,7 @@ HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
     y = next;
     u += step;
   }
-  // The variable of the last step is φ. Its value at the clamp is known, so the step ends exactly there
+  // The last step uses φ as its variable. φ is known at the clamp, so the step ends exactly at the clamp
   // (Hénon 1982).
   const auto rate_of_angle = [&](double, const State& at) { return 1 / curvature(law, at[moment]); };
   y = runge_kutta(law, y, y[angle], quarter_turn - y[angle], rate_of_angle);
@@ -111,7 +111,8 @@ HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
 HangingStrip hanging_strip(BendingLaw law, double height_over_width) {
   if (std::isnan(height_over_width) || height_over_width < 1e-6 || height_over_width > 500)
     throw std::invalid_argument(
-        fmt::format("hanging strip: H/W = {} is outside 0.000001 to 500; take a longer or a shorter strip",
+        fmt::format("hanging strip: H/W = {} is outside the range 0.000001 to 500; use a longer or a shorter "
+                    "strip",
                     height_over_width));
   const auto at = [&](double x) { return integrated(law, free_end(law, x)); };
   const auto too_soft = [&](double x) {
@@ -120,7 +121,7 @@ HangingStrip hanging_strip(BendingLaw law, double height_over_width) {
   };
   double stiffer = largest_x(law), softer = -1;
   while (!too_soft(softer)) softer *= 2;
-  for (int halving = 0; halving < 64; ++halving) {  // to the last digit of x
+  for (int halving = 0; halving < 64; ++halving) {  // until x is exact to the last digit
     const double middle = 0.5 * (softer + stiffer);
     (too_soft(middle) ? softer : stiffer) = middle;
   }

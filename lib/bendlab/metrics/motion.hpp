@@ -1,4 +1,4 @@
-// Energy and momenta of a cloth as a set of point masses.
+// Kinetic energy and momenta of a cloth, treated as a set of point masses.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct Motion {
 /// `mass` #V in kg; positions (m) and velocities (m/s) #V by 3.
 Motion motion_of(std::span<const double> mass, const Positions& positions, const Positions& velocities);
 
-/// How far the lowest vertex lies below `level`, both measured along `down` (unit length), m.
+/// How far the lowest vertex lies below `level`, m. Heights are measured along `down` (unit length).
 double drop_below(double level, const Positions& positions, const Vector3& down);
 
 }  // namespace bendlab

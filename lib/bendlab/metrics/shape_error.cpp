@@ -14,7 +14,7 @@
 namespace bendlab {
 namespace {
 
-// A mesh's triangles in a tree, to find the distance of a point from the nearest triangle.
+// The triangles of a mesh in a tree. Finds the distance of a point from the nearest triangle.
 class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh), tree_(centres(mesh)) {
@@ -45,7 +45,7 @@ class Surface {
 
   Vector3 vertex(int v) const { return mesh_.positions.row(v).transpose(); }
 
-  // Boxes have single precision, so they are rounded outward to contain the vertex.
+  // A box in single precision that surely contains the vertex: the position is rounded outward.
   Box box_of(int v) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Box box;
@@ -71,7 +71,7 @@ double farthest_from(const TriangleMesh& mesh, const Surface& surface) {
   return std::sqrt(squared);
 }
 
-// (FᵀF - 1)/2 of one triangle, F = [x1 - x0, x2 - x0] Q⁻¹.
+// The Green strain (FᵀF - 1)/2 of a triangle, with F = [x1 - x0, x2 - x0] Q⁻¹.
 Eigen::Matrix2d green_strain(const Positions& positions, const Eigen::Vector3i& corner,
                              const InverseRest& q) {
   Eigen::Matrix<double, 3, 2> sides;

@@ -15,19 +15,18 @@
 namespace bendlab {
 namespace {
 
-constexpr double same_place = 1e-5;  // mesh sizes; single precision rounds coordinates by 10⁻⁷ sizes
+constexpr double same_place = 1e-5;  // in mesh sizes; single precision rounds coordinates by 10⁻⁷ sizes
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void no_strip(const std::string& what) {
-  throw std::invalid_argument("the cloth is no cantilever strip: " + what);
+  throw std::invalid_argument("the cloth is not a cantilever strip: " + what);
 }
 
 Vector3 row(const Positions& positions, int vertex) {
   return positions.row(vertex).transpose();
 }
 
-// An edge whose ends are pinned, of a triangle whose third vertex is free. The free part lies to the edge's
-// left.
+// An edge with pinned ends, of a triangle whose third vertex is free. The free part is on the left side.
 struct ClampEdge {
   int from, to;
 };
@@ -49,8 +48,8 @@ std::vector<ClampEdge> clamp_edges(const RestMesh& rest, std::span<const char> i
   return edges;
 }
 
-// The direction of a rectangle's sides near `guess`: in this direction, the box around the rectangle is
-// smallest. (If a clamp's edge zigzags, its ends can be at different s, so that the guess is turned.)
+// The direction of the rectangle's side that is nearest to `guess`: a box along this direction is smallest.
+// (If the clamp's edge zigzags, its ends can be at different s, and `guess` is a little turned.)
 Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3& down) {
   const Vector3 sideways = down.cross(guess);
   const auto turned = [&](double angle) -> Vector3 {
@@ -69,9 +68,9 @@ Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3&
   return turned(0.5 * (low + high));
 }
 
-// The mean s of the free end over the width. The free end may zigzag by less than an edge. Sums over the
-// edges of the triangles there, around each triangle in the same sense: inner edges cancel, so that only the
-// outline contributes.
+// The mean s of the free end over the width. The end may zigzag by less than an edge. Sums over the sides of
+// all triangles there. All triangles are traversed in the same sense, so the two sides at an inner edge
+// cancel.
 double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector3& across) {
   const double from = *std::ranges::max_element(s) - 0.75 * rest.mean_edge_length();
   double width = 0, sum = 0;
@@ -89,7 +88,7 @@ double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector
   return sum / width;
 }
 
-// Values of `s` that differ by more than `apart`, ascending.
+// Sorts the values of `s`, and leaves out values within `apart` of the last value that was not left out.
 std::vector<double> distinct(std::vector<double> s, double apart) {
   std::ranges::sort(s);
   std::vector<double> kept;
@@ -98,9 +97,9 @@ std::vector<double> distinct(std::vector<double> s, double apart) {
   return kept;
 }
 
-// The s of the slices, about an edge apart. They lie on the rows of vertices between clamp and free end if
-// the mesh has rows; otherwise they are evenly spaced. If rows are closer than 0.7 edges, rows are skipped
-// evenly, so that all slices cut the triangles in the same way.
+// The s of the slices, about an edge apart. If the vertices form rows across the strip, slices lie on rows;
+// otherwise slices are evenly spaced. If rows are closer than 0.7 edges, only every n-th row gets a slice, so
+// that all slices cut the triangles in the same way.
 std::vector<double> stations(const std::vector<double>& s, double length, double edge) {
   std::vector<double> rows;
   for (const double vertex_s : s)
@@ -121,7 +120,7 @@ std::vector<double> stations(const std::vector<double>& s, double length, double
   return result;
 }
 
-// ∫ 1 dA and ∫ f dA over the part of a triangle beyond a line of constant s; s and f are linear on it.
+// ∫ 1 dA and ∫ f dA over the part of a triangle beyond a line of constant s, for linear s and f.
 struct Integral {
   double area = 0, of_f = 0;
 };
@@ -131,7 +130,7 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   const int count = past(0) + past(1) + past(2);
   if (count == 0) return {};
   if (count == 3) return whole;
-  std::size_t apex = 0;  // the corner that is alone on its side
+  std::size_t apex = 0;  // the corner that is alone on its side of the line
   while (past(apex) != (count == 1)) ++apex;
   const std::size_t left = (apex + 1) % 3, right = (apex + 2) % 3;
   const double a = (s[apex] - line) / (s[apex] - s[left]), b = (s[apex] - line) / (s[apex] - s[right]);
@@ -140,8 +139,8 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
-// Smooths the logarithms of three consecutive slices with the weights 1/4, 1/2, 1/4. That removes differences
-// that alternate from row to row, and keeps every power law.
+// Averages the logarithms of three consecutive slices with the weights 1/4, 1/2, 1/4. This mean removes
+// errors that alternate from row to row, and does not change a power law.
 MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
   MomentCurvatureFit result;
   std::vector<double> log_k, log_m;
@@ -179,13 +178,13 @@ StiffnessMeter::StiffnessMeter(const RestMesh& rest, std::span<const char> is_pi
       areas_(rest.areas()),
       size_(rest.size()),
       load_(load) {
-  if (!(load.density > 0)) no_strip("its density is not above 0, so nothing bends it");
-  if (!(load.gravity.norm() > 0)) no_strip("there is no gravity to bend it; list the effect gravity");
+  if (!(load.density > 0)) no_strip("the density is not above 0, so the strip has no weight");
+  if (!(load.gravity.norm() > 0))
+    no_strip("there is no gravity that bends the strip; add the effect gravity");
   down_ = load.gravity.normalized();
   const auto heights = rest_positions_ * down_;
   if (const double high = heights.maxCoeff() - heights.minCoeff(); high > same_place * size_)
-    no_strip(
-        fmt::format("at rest it is {:.3g} m high along gravity; it has to lie flat and horizontal", high));
+    no_strip(fmt::format("at rest the strip is {:.3g} m high; it has to be flat and horizontal", high));
   find_clamp(rest, is_pinned);
   find_slices(rest);
 }
@@ -193,12 +192,11 @@ StiffnessMeter::StiffnessMeter(const RestMesh& rest, std::span<const char> is_pi
 void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_pinned) {
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (is_pinned[static_cast<std::size_t>(v)]) pinned_.push_back(v);
-  if (pinned_.empty()) no_strip("it has no pins; pin one whole side");
+  if (pinned_.empty()) no_strip("no vertex is pinned; pin one whole side");
   const std::vector<ClampEdge> edges = clamp_edges(rest, is_pinned, down_);
-  if (edges.empty()) no_strip("its pins hold no side with free cloth beside it; pin one whole side");
+  if (edges.empty()) no_strip("no side with free cloth next to it is pinned; pin one whole side");
 
-  // The sum of the edges' normals is the clamp's width times the direction of the strip, even if the edges
-  // zigzag.
+  // The sum of the edge vectors is as long as the clamp is wide, and perpendicular to the strip.
   Vector3 across = Vector3::Zero();
   double edge_length = 0;
   for (const ClampEdge& edge : edges) {
@@ -206,7 +204,7 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
     edge_length += (rest.position(edge.to) - rest.position(edge.from)).norm();
   }
   if (across.norm() < 0.5 * edge_length)
-    no_strip("its pins hold more than one side, or a place in its middle; pin one whole side");
+    no_strip("more than one side is pinned, or a region in the middle; pin one whole side");
   along_ = aligned(rest.positions(), across.cross(down_).normalized(), down_);
   across_ = down_.cross(along_);
 
@@ -221,8 +219,9 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
   }
   clamp_depth_ = high - low;
   if (clamp_depth_ > 2 * rest.mean_edge_length())
-    no_strip(fmt::format("the edge of its clamp is not straight: it zigzags by {:.3g} m, more than two edges",
-                         clamp_depth_));
+    no_strip(
+        fmt::format("the clamp's edge is not straight: it zigzags by {:.3g} m, more than two edge lengths",
+                    clamp_depth_));
 
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double s = rest.position(v).dot(along_);
@@ -247,17 +246,17 @@ void StiffnessMeter::find_slices(const RestMesh& rest) {
   for (const double s : stations(s_, length_, rest.mean_edge_length()))
     slices_.push_back(slice(s, -unbounded, unbounded));
   if (slices_.size() < 5)
-    no_strip(fmt::format("its free part is {} edges long; to show a curvature it needs at least four",
+    no_strip(fmt::format("the free part is {} edges long, but at least 4 are needed to measure a curvature",
                          slices_.size() - 1));
   if (slices_[0].width < 0.6 * width_)
     no_strip(
-        fmt::format("its pins hold {:.3g} m of its width, which is {:.3g} m on average; pin one whole side",
+        fmt::format("{:.3g} m of the width are pinned, but the strip is {:.3g} m wide; pin one whole side",
                     slices_[0].width, width_));
   for (std::size_t i = 0; i + 1 < slices_.size(); ++i)       // not the free end: it may zigzag
     if (std::abs(slices_[i].width - width_) > 0.4 * width_)  // a lattice two edges wide differs by a third
       no_strip(fmt::format(
-          "at s = {:.3g} m it is {:.3g} m wide, but {:.3g} m on average; a strip has to be equally wide "
-          "everywhere",
+          "at s = {:.3g} m the strip is {:.3g} m wide, but {:.3g} m on average; a strip must have the same "
+          "width everywhere",
           slices_[i].s, slices_[i].width, width_));
   const auto last = slices_.end() - 1;
   const double low = std::ranges::max_element(slices_.begin(), last, {}, &Slice::low)->low,
@@ -271,8 +270,8 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Cuts the triangles between `low` and `high`, along a line slightly beside s, towards the strip's middle, so
-// that no vertex lies on the line.
+// Cuts the triangles along a line of constant s, across the strip from `low` to `high`. The line is moved a
+// little towards the strip's middle, so that no vertex lies on the line.
 StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
   const double to_middle = length_ - 2 * s,
@@ -281,7 +280,7 @@ StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) c
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Slice result{.s = s, .low = infinity, .high = -infinity};
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t) {
-    // The line cuts the triangle at two ends. Each end lies between two vertices, with these weights.
+    // Inside the triangle, the line has two ends. Each end is a weighted mean of two vertices.
     std::array<std::array<std::pair<int, double>, 2>, 2> ends;
     std::size_t crossed = 0;
     for (int c = 0; c < 3; ++c) {
@@ -316,11 +315,11 @@ StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) c
 std::vector<Vector3> StiffnessMeter::middle_line(const Positions& positions) const {
   if (positions.rows() != rest_positions_.rows() || !positions.allFinite())
     throw std::invalid_argument(
-        fmt::format("stiffness: there are {} positions ({}) for {} vertices", positions.rows(),
+        fmt::format("stiffness: got {} positions ({}), but needs {} finite positions", positions.rows(),
                     positions.allFinite() ? "all finite" : "not all finite", rest_positions_.rows()));
   for (const int v : pinned_)
     if ((row(positions, v) - row(rest_positions_, v)).norm() > same_place * size_)
-      no_strip(fmt::format("its clamp has moved or turned: vertex {} is {:.3g} m from its rest position", v,
+      no_strip(fmt::format("the clamp has moved or turned: vertex {} is {:.3g} m from its rest position", v,
                            (row(positions, v) - row(rest_positions_, v)).norm()));
   std::vector<Vector3> line;
   for (const Slice& cut : slices_) line.push_back(cut.middle(positions));
@@ -393,8 +392,7 @@ std::vector<ProfileRow> StiffnessMeter::profile(const Positions& positions, cons
                     .moment = moment(positions, slices_[i].s, line[i].dot(along_))});
     largest = std::max(largest, curvature);
   }
-  // A row does not enter the fit if its κ is below a hundredth of the largest curvature, or if rounding could
-  // cause a twentieth of its κ.
+  // The fit ignores a κ below a hundredth of the largest κ, and a κ with rounding errors above a twentieth.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ProfileRow& entry = rows[i];
     const double step = 0.5 * (slices_[i + 2].s - slices_[i].s);

@@ -1,20 +1,21 @@
-// The stiffness of a cantilever strip, measured from its shape: a flat strip, clamped horizontally along one
-// side, that hangs under its own weight.
+// Measures the stiffness of a cantilever strip from its shape. The strip is flat at rest, clamped
+// horizontally along one side, and hangs under its own weight.
 //
 //     pinned   s = 0                         s = L        s along the strip at rest, θ downward
 //   |////////|-----------------------------------|
 //            ^ clamp's edge                  free end
 //
-// Two methods check each other:
+// The stiffness is measured in two ways, which can be compared:
 //
-// * The free end alone: H/W gives B or C, by the curve of a strip with m = B κ or m = C κ³ (elastica.hpp).
-// * The whole shape: by statics, the weight gives the moment m(s) at every s, whatever the bending law is. So
-//   m over the curvature κ(s) shows the bending law.
+// * From the free end alone, H below the clamp and W in front of the clamp: H/W gives B if m = B κ, or C if
+//   m = C κ³ (elastica.hpp).
+// * From the whole shape: the weight gives the moment m(s) at every s, whatever the bending law is. Comparing
+//   m with the curvature κ(s) shows the bending law.
 //
-// The middle line consists of the centres of slices: a slice is a cut s = const through the triangles. There
-// is about one slice per edge, on the rows of vertices if the mesh has rows. All slices use the same band of
-// the width, because every second row of a lattice is an edge wider, and because a sheet that is bent along
-// its length also bends a little across it, most at its sides.
+// A slice is a cut s = const through the triangles. The centres of all slices form the strip's middle line.
+// There is about one slice per edge, on the rows of vertices if the mesh has rows. All slices cover the same
+// range of the coordinate y across the strip, because every second row of a lattice is an edge wider, and
+// because a sheet bent along its length also bends a little across, most at the sides.
 #pragma once
 
 #include <limits>
@@ -32,28 +33,28 @@ struct StripLoad {
 };
 
 struct StripOptions {
-  /// How far behind the clamp's edge the strip begins to bend, m, because a bending constraint across the
-  /// edge bends on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
+  /// How far behind the clamp's edge the strip begins to bend, m: a bending constraint across that edge bends
+  /// the strip on both sides. h/2 for hinges, if the rows are h apart; t h/4 for springs over t rows.
   double clamp_offset = 0;
-  /// m, the reach of a constraint. Slices that are nearer to the clamp or the free end do not enter the fit
-  /// of m(κ).
+  /// Reach of a constraint, m. The fit of m(κ) ignores slices nearer than this to the clamp or to the free
+  /// end.
   double exclude = 0;
-  /// m, rounding error of a coordinate. Curvatures that it could cause do not enter the fit of m(κ).
+  /// Rounding error of a coordinate, m. The fit of m(κ) ignores curvatures that this error could cause.
   double rounding = 0;
 };
 
-/// A slice of the settled strip.
+/// A slice of the strip that has come to rest under its weight.
 struct ProfileRow {
   double s = 0;          ///< m from the clamp's edge, at rest
   double angle = 0;      ///< θ, rad below horizontal
   double curvature = 0;  ///< κ = dθ/ds, 1/m
-  double moment = 0;     ///< m = ρ g ∫ (x(σ) - x(s)) dA / width over the part beyond s, N
-  bool fitted = false;   ///< whether κ and m enter the fit
+  double moment = 0;     ///< ρ g ∫ (x(σ) - x(s)) dA / width over the part beyond s, N
+  bool fitted = false;   ///< whether the fit uses κ and m
 };
 
-/// ln m = ln c + p ln κ by least squares over the fitted rows. Each sample is the mean of the logarithms of
-/// three neighbours with weights 1/4, 1/2, 1/4, because every second row of a lattice is stiffer. NaN with
-/// fewer than three samples.
+/// The fit ln m = ln c + p ln κ by least squares; NaN if there are fewer than three samples. A sample is a
+/// mean of three neighbouring slices with weights 1/4, 1/2, 1/4, because every second row of a lattice is
+/// stiffer.
 struct MomentCurvatureFit {
   double exponent = std::numeric_limits<double>::quiet_NaN();     ///< p: 1 linear, 3 springs
   double coefficient = std::numeric_limits<double>::quiet_NaN();  ///< c, N m^p
@@ -63,8 +64,8 @@ struct MomentCurvatureFit {
   int samples = 0;                                                ///< in the fit
 };
 
-/// Metrics that follow from H/W are NaN if H/W is outside of 10⁻⁶ to 500: then the strip has not dropped, or
-/// hangs straight down.
+/// Metrics from H/W are NaN if H/W is outside 10⁻⁶ to 500: the strip has hardly dropped, or hangs straight
+/// down.
 struct StripStiffness {
   double length = 0;             ///< L, m, of the free part at rest
   double width = 0;              ///< m, mean of the free part
@@ -83,25 +84,25 @@ struct StripStiffness {
   double quartic = 0;                ///< C, N m³, if m = C κ³
 
   MomentCurvatureFit fit;
-  std::vector<ProfileRow> profile;  ///< slices between the first and the last
+  std::vector<ProfileRow> profile;  ///< all slices except the first and the last
 };
 
 class StiffnessMeter {
  public:
-  /// `is_pinned` is #V. At rest the strip has to be flat and horizontal, and its pins have to hold one whole
-  /// side and nothing else. Otherwise throws std::invalid_argument, which says what is wrong.
+  /// `is_pinned` is #V. At rest the strip has to be flat and horizontal, with one whole side pinned and
+  /// nothing else. Otherwise throws std::invalid_argument with the reason.
   StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
 
-  /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
+  /// s of each vertex at rest: #V, m from the clamp's edge, negative in the clamp.
   std::span<const double> along() const { return s_; }
   double length() const { return length_; }            ///< m, of the free part at rest
-  double clamp_depth() const { return clamp_depth_; }  ///< m, by how much the clamp's edge zigzags
+  double clamp_depth() const { return clamp_depth_; }  ///< m, width of the zigzag of the clamp's edge
 
-  /// Measures the strip at `positions` (#V by 3, m). Throws std::invalid_argument if they are not finite or
-  /// the clamp has moved.
+  /// `positions` is #V by 3, m. Throws std::invalid_argument if a position is not finite or the clamp has
+  /// moved.
   StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
-  /// Measures only H/W; the strip may still move. Throws like measure().
+  /// Measures only H/W, also while the strip moves. Throws like measure().
   double height_over_width(const Positions& positions, double clamp_offset) const;
 
  private:

@@ -10,11 +10,10 @@
 namespace bendlab {
 namespace {
 
-constexpr double pin_region = 0.1;  // mesh sizes around a pin
+constexpr double pin_region = 0.1;  // in mesh sizes: radius of the region around a pin
 
 PrincipalStretches principal_stretches(const Vector3& f1, const Vector3& f2) {
-  // σ₁² is the larger eigenvalue of FᵀF. σ₂ follows from σ₁ σ₂ = |f1 × f2|, which keeps the digits of a small
-  // σ₂.
+  // σ₁² is the larger eigenvalue of FᵀF. σ₂ follows from σ₁ σ₂ = |f1 × f2|, accurately even if σ₂ is small.
   const double s11 = f1.squaredNorm(), s22 = f2.squaredNorm(), s12 = f1.dot(f2);
   const double difference = s11 - s22;
   const double largest = std::sqrt(0.5 * (s11 + s22 + std::sqrt(difference * difference + 4 * s12 * s12)));

@@ -1,4 +1,4 @@
-// Principal stretches of a deformed cloth against its rest shape.
+// Principal stretches of a deformed cloth, relative to the rest shape.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace bendlab {
 
-/// Singular values of a triangle's deformation gradient, largest ≥ smallest ≥ 0; both 1 at rest.
+/// Singular values σ₁ (largest) and σ₂ (smallest) of a triangle's deformation gradient; 1 and 1 at rest.
 struct PrincipalStretches {
   double largest = 1, smallest = 1;
 };
@@ -20,7 +20,7 @@ struct StretchSummary {
   double mean_strain = 0;      ///< mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|)
   double max_stretch = 0;      ///< largest σ₁
   double pin_max_stretch = 0;  ///< largest σ₁ over triangles that touch a pinned vertex
-  /// Largest σ₁ over triangles within 0.1 sizes (rest box diagonal) of a pin that the scene names.
+  /// Largest σ₁ over triangles within 0.1 rest box diagonals of a vertex listed in /pins.
   double pin_region_stretch = 0;
 };
 
@@ -28,8 +28,8 @@ class StretchMeter {
  public:
   StretchMeter(const RestMesh& rest, const Pins& pins);
 
-  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN if a position is not finite. Both
-  /// stretches of a degenerate rest triangle (see bad_triangles.hpp) are always 1.
+  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN if a position of the triangle is
+  /// not finite. The stretches of a triangle without area at rest (see bad_triangles.hpp) are always 1.
   std::vector<PrincipalStretches> measure(const Positions& positions) const;
   StretchSummary summarise(std::span<const PrincipalStretches> stretches) const;
 

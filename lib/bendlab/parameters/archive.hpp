@@ -1,4 +1,4 @@
-// State as bytes, so that a run can go on later where it stopped.
+// Stores the state of a run as bytes, so that the run can be continued later.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,12 +11,11 @@
 
 namespace bendlab {
 
-/// Writes values to bytes, or reads them back: the same list of members does both.
+/// Writes values to bytes, or reads values from bytes. A class lists its members once for both directions:
 ///
 ///   void archive(Archive& a) { a(position_, velocity_, steps_); }
 ///
-/// Only the program that wrote the bytes can read them, on the same kind of machine: numbers are copied as
-/// they lie in memory.
+/// Values are copied as bytes, so only the same program, on the same kind of machine, can read the result.
 class Archive {
  public:
   Archive() = default;                                                             ///< writes
@@ -26,9 +25,9 @@ class Archive {
   const std::string& bytes() const { return bytes_; }
   bool at_end() const { return !reads_ || at_ == bytes_.size(); }
 
-  /// Takes numbers, enumerators, structs without pointers, texts, vectors, optionals, dense matrices, and
-  /// types with their own archive(Archive&). Throws std::runtime_error if there are not enough bytes to read,
-  /// or a matrix does not fit.
+  /// Allowed values are numbers, enumerators, structs without pointers, strings, vectors, optionals, dense
+  /// matrices, and types with a member function archive(Archive&). When reading, throws std::runtime_error if
+  /// there are too few bytes, or if a matrix of fixed size has another size.
   template <class... Values>
   void operator()(Values&... values) {
     (value(values), ...);
@@ -46,7 +45,7 @@ class Archive {
     else
       list(v);
   }
-  // Not by raw(): only two values of a byte are valid as a bool.
+  // Does not copy the byte of a bool with raw(), because only two values of that byte are valid.
   void truth(bool& v) {
     auto byte = static_cast<unsigned char>(v);
     raw(&byte, sizeof byte);
@@ -66,7 +65,7 @@ class Archive {
     if (reads_) {
       const auto left = static_cast<Eigen::Index>((bytes_.size() - at_) / sizeof(Scalar));
       if ((rows != Eigen::Dynamic && size[0] != rows) || (columns != Eigen::Dynamic && size[1] != columns))
-        throw std::runtime_error("the archive has a matrix of another size");
+        throw std::runtime_error("the archive has a matrix of a different size");
       if (size[0] < 0 || size[1] < 0 || (size[0] > 0 && size[1] > left / size[0])) throw_too_short();
       v.resize(size[0], size[1]);
     }
@@ -102,7 +101,7 @@ class Archive {
   void require(std::size_t size) const {
     if (size > bytes_.size() - at_) throw_too_short();
   }
-  [[noreturn]] static void throw_too_short() { throw std::runtime_error("the archive ends too early"); }
+  [[noreturn]] static void throw_too_short() { throw std::runtime_error("the archive has too few bytes"); }
 
   std::string bytes_;
   std::size_t at_ = 0;

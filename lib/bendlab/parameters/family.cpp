@@ -14,12 +14,12 @@ void check_new_name(std::string_view family, std::string_view name, std::span<co
   };
   if (name.empty() || !std::ranges::all_of(name, allowed))
     throw std::invalid_argument(
-        fmt::format("the {} '{}' cannot be registered: a name consists of letters (a-z, A-Z), digits, '_' "
-                    "and '-', and is not empty",
+        fmt::format("the {} '{}' cannot be registered: a name must have at least one character, and only "
+                    "letters (a-z, A-Z), digits, '_' and '-'",
                     family, name));
   if (std::ranges::find(taken, name) != taken.end())
     throw std::invalid_argument(
-        fmt::format("the {} '{}' cannot be registered: the name is taken; choose a name other than {}",
+        fmt::format("the {} '{}' cannot be registered: this name already exists; choose a name other than {}",
                     family, name, fmt::join(taken, ", ")));
 }
 

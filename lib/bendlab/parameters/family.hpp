@@ -1,10 +1,10 @@
-// Families: bending models, effects, solver methods, measures. Each member of a family has a kind, which
-// holds its name, its traits and its functions. Except for measures, it also has a struct of settings that
-// refers to its kind:
+// A family is a set of alternatives: bending models, effects, solver methods, or measures. Each member of a
+// family has an object called its kind, with the member's name, properties and functions. Members other than
+// measures also have a struct of settings, which refers to the kind:
 //
 //   struct Wind { Vector3 velocity = {0, 5, 0}; …; static const EffectKind kind; };
 //
-// A program may add members to every family.
+// A program may add members to a family.
 #pragma once
 
 #include <algorithm>
@@ -26,8 +26,8 @@
 
 namespace bendlab {
 
-/// A member of a family with its settings: `Effect wind = Wind{.velocity = {0, 3, 0}};`. Copies share the
-/// settings, which do not change.
+/// A member with its settings: `Effect wind = Wind{.velocity = {0, 3, 0}};`. Copies share the constant
+/// settings.
 template <class Kind>
 class Chosen {
  public:
@@ -44,7 +44,7 @@ class Chosen {
   std::string_view name() const { return kind_->name; }
   const void* settings() const { return settings_.get(); }
 
-  /// The settings as a `Settings`; null if they belong to another kind.
+  /// The settings, if they are of the type `Settings`; otherwise null.
   template <class Settings>
   const Settings* as() const {
     return kind_ == &Settings::kind ? static_cast<const Settings*>(settings_.get()) : nullptr;
@@ -55,8 +55,8 @@ class Chosen {
   std::shared_ptr<const void> settings_;
 };
 
-/// Adapts a function of a member's settings to the type that its kind needs: `.build = erased<build>` for
-/// `build(const Adaptive&, …)`.
+/// Turns a function of a member's settings into the function type of the kind. For example, `.build =
+/// erased<build>` for `build(const Adaptive&, …)`.
 namespace detail {
 template <auto function>
 struct Erased;
@@ -66,17 +66,17 @@ struct Erased<function> {
     return function(*static_cast<const Settings*>(settings), std::forward<Rest>(rest)...);
   }
 };
-/// Throws std::invalid_argument if the name cannot be a key of a config, or if it is taken.
+/// Throws std::invalid_argument if the name cannot be a key of a config, or if `taken` contains the name.
 void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken);
 
-/// How often a kind was added to or removed from any registry.
+/// How many times a kind was added to a registry or removed from a registry.
 inline std::atomic<int> registered{0};
 }  // namespace detail
 template <auto function>
 inline constexpr auto erased = &detail::Erased<function>::call;
 
-/// The result of make(), which depends on the registered kinds: a table of their names, for example. make()
-/// is called again after kinds were added or removed. Earlier results stay valid.
+/// The result of make(), for example a table of the names of all registered kinds. The result is stored;
+/// after kinds were added or removed, make() is called again. Earlier results stay valid.
 template <auto make>
 const auto& made_of_kinds() {
   static std::mutex access;
@@ -87,17 +87,17 @@ const auto& made_of_kinds() {
   return earlier != made.end() ? earlier->second : made.emplace(now, make()).first->second;
 }
 
-/// The kinds of a family: first the listed kinds, then the kinds that the program registers. Only one thread
-/// may change a registry, and only while no other thread reads configs.
+/// The kinds of a family: first the built-in kinds (`listed`), then the kinds that a program adds. Only one
+/// thread at a time may change a registry, while no other thread reads configs.
 template <class Kind>
 class Registry {
  public:
-  /// `family`: "bending model", for error messages.
+  /// `family` is for error messages, for example "bending model".
   Registry(std::string_view family, std::span<const Kind* const> listed)
       : family_(family), kinds_(listed.begin(), listed.end()), listed_(std::ssize(listed)) {}
 
-  /// The kind has to stay at its address. Throws std::invalid_argument for a name that is taken or not valid,
-  /// and for a kind without a table of settings.
+  /// `kind` must not be moved or destroyed afterwards. Throws std::invalid_argument if the name already
+  /// exists or is not valid, or if the kind has no table of settings.
   void add(const Kind& kind) {
     std::vector<std::string_view> taken;
     for (const Kind* known : kinds_) taken.push_back(known->name);
@@ -105,11 +105,11 @@ class Registry {
     if constexpr (requires { kind.settings.copy; })
       if (kind.settings.copy == nullptr)
         throw std::invalid_argument(std::string(kind.name) +
-                                    " has no table of settings: state .settings = table_of<…>({})");
+                                    " has no table of settings: add .settings = table_of<…>({}) to the kind");
     kinds_.push_back(&kind);
     ++detail::registered;
   }
-  /// Removes a kind that add() added.
+  /// Removes a kind that was added by add(); does nothing if there is none of that name.
   void remove(std::string_view name) {
     const auto added = std::ranges::find(kinds_.begin() + listed_, kinds_.end(), name, &Kind::name);
     if (added == kinds_.end()) return;
@@ -122,7 +122,7 @@ class Registry {
     return std::span(kinds_).subspan(static_cast<std::size_t>(listed_));
   }
 
-  /// The kind of that name, or null.
+  /// The kind with that name, or null.
   const Kind* find(std::string_view name) const {
     const auto kind = std::ranges::find(all(), name, &Kind::name);
     return kind == all().end() ? nullptr : *kind;
@@ -134,7 +134,7 @@ class Registry {
   std::ptrdiff_t listed_;
 };
 
-/// The kinds of structs, in their order: listed_kinds<EffectKind, Gravity, Wind>.
+/// The kinds of the given structs, in that order. For example, listed_kinds<EffectKind, Gravity, Wind>.
 template <class Kind, class... Settings>
 inline constexpr std::array<const Kind*, sizeof...(Settings)> listed_kinds = {&Settings::kind...};
 

@@ -1,6 +1,6 @@
-// The settings of a struct: a row for each member with its name, unit, range and meaning. The rows parse
-// JSON, write it, and print the reference; there is no second list. The default of a setting is the
-// initialiser of its member, and is stated nowhere else.
+// Describes the settings of a struct by a table, with a row for each member: name, unit, range and meaning.
+// The table is used to read JSON, to write JSON and to print the reference of settings, so there is no second
+// list. The default of a setting is the initialiser of the member.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@
 
 namespace bendlab {
 
-/// A setting's value, whatever its member's type. `std::monostate`: an optional setting that is not set.
+/// The value of a setting of any type. `std::monostate` means an optional setting that is not set.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<std::int64_t>,
                            std::vector<double>, std::vector<std::string>>;
 
@@ -33,7 +33,7 @@ enum class FieldType {
   texts,     ///< list of texts, each one of `choices` if there are any
 };
 
-/// What a row says about its member. `minimum` and `maximum` bound numbers and each entry of a list.
+/// What a row says about a setting. `minimum` and `maximum` bound a number, or each entry of a list.
 struct FieldNotes {
   std::string_view name = {};
   std::string_view unit = {};  ///< SI, "1" for a pure number, empty if a unit has no meaning
@@ -41,11 +41,11 @@ struct FieldNotes {
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool above = false;                              ///< the minimum itself is not allowed
-  bool required = false;                           ///< must be given; the member's initialiser is no default
-  std::span<const std::string_view> choices = {};  ///< allowed texts; for an enumeration, in its order
+  bool required = false;                           ///< must be given, so there is no default
+  std::span<const std::string_view> choices = {};  ///< allowed texts; those of an enum in its order
   bool names_file = false;                         ///< a file that the scene reads, relative to its folder
   bool (*read_when)(const void* scene) = nullptr;  ///< null: always; see read_when()
-  bool (*kept_when)(const void* scene) = nullptr;  ///< when canonical settings hold it; null: when it is read
+  bool (*kept_when)(const void* scene) = nullptr;  ///< when scene_json.hpp writes it; null: as read_when
   std::string_view depends_on = {};  ///< pointer to the choice that read_when depends on; empty: no choice
 };
 
@@ -61,7 +61,7 @@ struct Field : FieldNotes {
   bool is_read(const void* scene) const { return read_when == nullptr || read_when(scene); }
   bool is_kept(const void* scene) const { return kept_when ? kept_when(scene) : is_read(scene); }
   Value of(const void* owner) const { return get(*this, place(owner)); }
-  /// `value` has to be one that the row allows.
+  /// `value` has to be allowed by the row.
   void put(void* owner, const Value& value) const { set(*this, const_cast<void*>(place(owner)), value); }
 };
 
@@ -164,8 +164,8 @@ struct MemberPointer<M C::*> {
 
 }  // namespace detail
 
-/// The row of a member: field<&Wind::velocity>({.name = "velocity", .unit = "m/s", …}). For a member of a
-/// base class, the struct itself is named, too: field<&Sphere::thickness, Sphere>({…}).
+/// The row of a member, for example field<&Wind::velocity>({.name = "velocity", .unit = "m/s", …}). For a
+/// member of a base class, the derived struct is the second argument: field<&Sphere::thickness, Sphere>({…}).
 template <auto member, class Owner = typename detail::MemberPointer<decltype(member)>::Class>
 constexpr Field field(const FieldNotes& notes) {
   using Member = typename detail::MemberPointer<decltype(member)>::Member;
@@ -183,13 +183,13 @@ constexpr Field field(const FieldNotes& notes) {
   return row;
 }
 
-/// When a setting is read, for FieldNotes::read_when: read_when<Scene>([](const Scene& scene) { return …; }).
+/// A condition for FieldNotes::read_when: read_when<Scene>([](const Scene& scene) { return …; }).
 template <class Scene, class Predicate>
 constexpr auto read_when(Predicate) {
   return +[](const void* scene) { return static_cast<bool>(Predicate{}(*static_cast<const Scene*>(scene))); };
 }
 
-/// A struct's rows, and how to make such a struct.
+/// The rows of a struct, and functions that make such a struct.
 struct FieldTable {
   std::span<const Field> fields = {};
   const void* (*usual)(const void* own) = nullptr;  ///< defaults()
@@ -199,7 +199,7 @@ struct FieldTable {
   const void* defaults() const { return usual(own); }  ///< a struct with all defaults
 
   Value default_of(const Field& field) const { return field.of(defaults()); }
-  /// The row of that name, or null.
+  /// The row with that name, or null.
   const Field* find(std::string_view name) const;
 };
 
@@ -215,7 +215,7 @@ constexpr FieldTable table_of(std::span<const Field> fields) {
           }};
 }
 
-/// Tables joined into one, in order.
+/// All rows of several tables, in order, as one table.
 template <std::size_t... sizes>
 constexpr auto joined(const std::array<Field, sizes>&... tables) {
   std::array<Field, (sizes + ...)> all{};

@@ -44,16 +44,16 @@ std::string read_input_file(const std::filesystem::path& file, std::uint64_t mos
   if (S_ISDIR(status.st_mode)) fail("is a folder, not a file");
   if (!S_ISREG(status.st_mode)) fail("is a pipe or a device, not a file");
   const auto size = static_cast<std::uint64_t>(status.st_size);
-  if (size > most) fail(fmt::format("is too large: it has {} bytes, and at most {} are read", size, most));
+  if (size > most) fail(fmt::format("is too large: it has {} bytes, but at most {} are allowed", size, most));
   std::string bytes(size + 1, '\0');  // one byte more, so that the end is found without resizing
   for (std::size_t at = 0;;) {
-    if (at == bytes.size()) bytes.resize(at + (1 << 16));  // files of the system state a size of 0
+    if (at == bytes.size()) bytes.resize(at + (1 << 16));  // system files such as /proc/… report a size of 0
     const ssize_t got = ::read(descriptor, bytes.data() + at, bytes.size() - at);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(fmt::format("can't be read to its end: {}", std::system_category().message(errno)));
+    if (got < 0) fail(fmt::format("can't be read to the end: {}", std::system_category().message(errno)));
     at += static_cast<std::size_t>(got);
     if (got == 0) return bytes.resize(at), bytes;
-    if (at > most) fail(fmt::format("is too large: at most {} bytes are read", most));
+    if (at > most) fail(fmt::format("is too large: at most {} bytes are allowed", most));
   }
 }
 

@@ -7,15 +7,14 @@
 
 namespace bendlab {
 
-/// The middle value; of an even number of values, the larger of the two in the middle. Reorders the values.
-/// There has to be at least one value.
+/// The median, or the larger of two middle values. Reorders `values`, which must not be empty.
 inline double upper_median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
   return *middle;
 }
 
-/// The middle value; of an even number of values, the mean of the two in the middle.
+/// The median, or the mean of two middle values.
 inline double median(std::vector<double> values) {
   const double upper = upper_median(values);
   if (values.size() % 2 == 1) return upper;

@@ -1,4 +1,4 @@
-// Converts between texts and enumerators. Each enumeration has a table of names beside it, in the same order.
+// Converts between texts and enumerators. Each enumeration has an array of names in the same order.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace detail {
 [[noreturn]] void throw_unknown_name(std::string_view name, std::span<const std::string_view> names);
 }
 
-/// The enumerator of that name. Throws std::invalid_argument with the known names.
+/// The enumerator with that name. Throws std::invalid_argument with a list of the known names.
 template <class Enum>
 requires std::is_enum_v<Enum> Enum named(std::string_view name, std::span<const std::string_view> names) {
   const auto place = std::ranges::find(names, name);
@@ -20,7 +20,7 @@ requires std::is_enum_v<Enum> Enum named(std::string_view name, std::span<const 
   return static_cast<Enum>(place - names.begin());
 }
 
-/// An enumerator's name in its table.
+/// The name of an enumerator.
 template <class Enum>
 requires std::is_enum_v<Enum>
 constexpr std::string_view name_in(std::span<const std::string_view> names, Enum value) {

@@ -1,4 +1,4 @@
-// Random numbers that are the same on every platform, unlike those of std::uniform_real_distribution.
+// Random numbers that are the same on every platform, unlike std::uniform_real_distribution.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,12 @@
 
 namespace bendlab {
 
-/// Uniform in [0, 1), from the upper 53 of 64 random bits.
+/// A uniform number in [0, 1), from the upper 53 of 64 random bits.
 inline double unit_interval(std::uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-/// Uniform in [0, 1), from the generator's next number.
+/// A uniform number in [0, 1), from the next number of `random`.
 inline double uniform(std::mt19937_64& random) {
   return unit_interval(random());
 }

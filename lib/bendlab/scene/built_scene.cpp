@@ -26,8 +26,8 @@
 namespace bendlab {
 namespace {
 
-// The number of rows that makes the cells of a grid squares. If it is more than an int holds, the largest
-// int: a mesh may not have so many rows anyway.
+// The number of rows that makes the cells of a grid as square as possible. A number too large for an int
+// becomes the largest int; the generator refuses so many rows anyway.
 int rows_of_squares(double width, double height, int cells) {
   constexpr double most = std::numeric_limits<int>::max();
   return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
@@ -52,24 +52,24 @@ TriangleMesh generate(const Mesh& mesh) {
   throw std::logic_error("generate: unknown generator");
 }
 
-// A cone whose tip is far smaller than its base, for example, has triangles that count as having no area.
+// Refuses triangles of zero area, for example in a cone whose tip is much narrower than its base.
 void require_areas(const TriangleMesh& mesh) {
   const std::vector<char> without = triangles_without_area(mesh);
   if (const auto count = std::ranges::count_if(without, [](char no_area) { return no_area != 0; }); count > 0)
     throw std::invalid_argument(fmt::format(
-        "with these lengths {} of {} triangles have no area (they are thinner than {:.0e} of the mesh); "
-        "choose lengths that differ less",
+        "with these lengths {} of {} triangles have no area (their height is less than {:.0e} of the mesh's "
+        "size); choose lengths that differ less",
         count, without.size(), zero_area_thickness));
 }
 
-// A generated mesh is sound unless /mesh/flaw puts a defect into it.
+// A generated mesh only has problems if /mesh/flaw puts a defect into the mesh.
 AcceptedMesh generated_mesh(const Mesh& mesh) {
   TriangleMesh generated;
   try {
     generated = generate(mesh);
     if (mesh.shuffle) generated = shuffled(generated, *mesh.shuffle);
     require_areas(generated);
-  } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
+  } catch (const std::invalid_argument& error) {  // settings that are valid, but do not fit together
     throw ConfigError("mesh generator", {{"/mesh", error.what()}});
   }
   if (mesh.flaw == "none") return {.mesh = std::move(generated)};
@@ -97,21 +97,21 @@ AcceptedMesh mesh_of_program(const TriangleMesh& given, BadTriangles policy) {
   }
 }
 
-// In a sheet that stands, names of places take z for up; if the sheet lies in a plane x = const, gravity may
-// show that y is up.
+// For an upright sheet, names such as `upper_left` assume that z is up. Refuses these names for a sheet in a
+// plane x = const if gravity shows that y is up.
 void require_up(const RestMesh& rest, const std::vector<Place>& names, const Vector3& down) {
   const NamedAxes axes = named_axes(rest);
   if (names.empty() || axes.front != 0 || std::abs(down.z()) >= std::abs(down.y())) return;
   throw ConfigError(
       "/pins/vertices",
       {{"/pins/vertices",
-        fmt::format("'{}' is unclear for this sheet: it stands in a plane x = const, where names take z for "
-                    "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
-                    "is up, or pin by /pins/indices, with \"vertices\": []",
+        fmt::format("'{}' is not clear for this sheet: for a sheet in a plane x = const, names assume that z "
+                    "is up, but gravity acts along y. Turn the mesh into the x-y plane or so that z is up, "
+                    "or use /pins/indices with \"vertices\": []",
                     name_in(place_names, names.front()))}});
 }
 
-// The mesh refined and jittered, as far as the config asks for it.
+// The mesh after /mesh/refine and /mesh/jitter.
 TriangleMesh altered(TriangleMesh mesh, const Mesh& settings) {
   const char* setting = "/mesh/refine";
   try {
@@ -130,13 +130,13 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   require_up(rest, pinning.vertices, down);
   if (renumbered && !pinning.indices.empty())
     throw MeshError(fmt::format(
-        "{}: {}; /pins/indices would then mean other vertices than in the original mesh. Repair the file "
-        "itself, or pin by name with /pins/vertices",
+        "{}: {}; because of that change, /pins/indices would mean other vertices than in the given mesh. "
+        "Repair the mesh file before the run, or pin by name with /pins/vertices",
         scene.mesh.file ? (scene.folder / *scene.mesh.file).string() : "mesh", fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const Place place : pinning.vertices) try {
       for (const int vertex : select_vertices(rest, place)) seeds.push_back(vertex);
-    } catch (const std::invalid_argument& error) {  // the mesh has no place of that name
+    } catch (const std::invalid_argument& error) {  // the mesh has no vertices with that name
       throw ConfigError("/pins/vertices", {{"/pins/vertices", error.what()}});
     }
   for (const int index : pinning.indices) {
@@ -150,25 +150,26 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
 }
 
-// Areas and their inverses have to stay within the range of single precision. An offset rounds coordinates;
-// it may round them by less than the height of a triangle that counts as having no area.
+// Refuses sizes at which areas or their inverses exceed the range of single precision, and offsets that round
+// coordinates by more than the height of a triangle of zero area.
 void require_numbers_hold(const TriangleMesh& mesh, bool has_offset) {
   constexpr double smallest = 1e-18, largest = 1e18, epsilon = std::numeric_limits<double>::epsilon();
   const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm(),
                farthest = mesh.positions.cwiseAbs().maxCoeff();
   if (!(size >= smallest && size <= largest))
     throw MeshError(
-        fmt::format("mesh: can't be simulated: it is {:.3g} m large, and a simulation can compute with sizes "
-                    "from {} to {} m; check its extent and /mesh/scale",
+        fmt::format("mesh: can't be simulated: the size is {:.3g} m, but sizes from {} to {} m are allowed; "
+                    "check the extent of the mesh and /mesh/scale",
                     size, smallest, largest));
   if (has_offset && !(farthest * epsilon <= zero_area_thickness * size))
     throw MeshError(
-        fmt::format("mesh: can't be simulated: {:.3g} m from the origin, coordinates are rounded to {:.2g} "
-                    "m, which is too coarse for a mesh of {:.3g} m; choose a smaller /mesh/offset",
+        fmt::format("mesh: can't be simulated: at {:.3g} m from the origin, coordinates are rounded to "
+                    "{:.2g} m, which is too inexact for a mesh of {:.3g} m; choose a smaller /mesh/offset",
                     farthest, farthest * epsilon, size));
 }
 
-// A physical stiffness becomes one compliance for all triangles, or a compliance for each bending constraint.
+// A physical stiffness is simulated by compliances: one for all triangles, and one for each bending
+// constraint.
 StiffnessKind kind_of(Stiffness stiffness) {
   return stiffness == Stiffness::physical ? StiffnessKind::compliance : static_cast<StiffnessKind>(stiffness);
 }
@@ -184,14 +185,14 @@ StrainStiffness strain_stiffness(const Strain& strain) {
               strain.stiffness == Stiffness::physical ? 1 / strain.membrane_stiffness : strain.compliance};
 }
 
-// A physical stiffness is contained in each constraint's own softness; the compliance is then 1.
+// A physical stiffness is stored in the softness of each constraint, so the common compliance is 1.
 BendingStiffness bending_stiffness(const Bending& bending) {
   return {.kind = kind_of(bending.stiffness),
           .k = bending.k,
           .compliance = bending.stiffness == Stiffness::physical ? 1 : bending.compliance};
 }
 
-// The model's constraints, calibrated if a physical stiffness is stated.
+// The model's constraints, calibrated if the stiffness is physical.
 BendingConstraints bending_constraints(const Bending& bending, const RestMesh& rest, const Pins& pins) {
   BendingConstraints constraints = constraints_of(bending.model, {rest, pins});
   if (bending.stiffness != Stiffness::physical) {
@@ -221,11 +222,12 @@ void check_own_elements(const SimulationInput& input) {
   throw ConfigError(
       "solver method",
       {{"/solver/method",
-        fmt::format("'{}' has no kernels for the elements of '{}', which this program defines: choose {}",
+        fmt::format("'{}' cannot simulate the bending elements of '{}', which is not a built-in model: "
+                    "choose one of the methods {}",
                     input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
 }
 
-// Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
+// Lumped masses. The half of the cloth with the larger x is `density_ratio` times as heavy.
 std::vector<double> masses_of(const Material& material, const RestMesh& rest) {
   const double density = material.density, ratio = material.density_ratio;
   std::vector<double> mass = lumped_masses(rest, density);
@@ -260,8 +262,7 @@ int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs
       }));
 }
 
-// The compiled passes of the effect at `index`, under its name. Throws ConfigError for settings that
-// contradict each other or do not suit this mesh.
+// The passes of the effect at `index`, named after the effect. Throws ConfigError for unsuitable settings.
 template <class Real>
 std::vector<Pass<Real>> passes_at(const BuiltScene& scene, std::size_t index) {
   const Effect& effect = scene.effects[index];
@@ -269,7 +270,7 @@ std::vector<Pass<Real>> passes_at(const BuiltScene& scene, std::size_t index) {
   const MethodKind& method = scene.input.method.kind();
   if (!method.takes_effect(kind.needs_projection, kind.acts_in_iterations)) return {};
   if (kind.helps_projection && membrane_needs_no_tethers(scene)) return {};
-  const bool contacts_used =  // by contacts, implicit steps tell obstacles from layers of cloth
+  const bool contacts_used =  // implicit steps need contacts to distinguish obstacles from layers of cloth
       !method.projects ||
       std::ranges::any_of(scene.effects, [](const Effect& listed) { return listed.kind().uses_contacts; });
   std::vector<Pass<Real>> passes;
@@ -294,7 +295,7 @@ Precision precision_of(const BuiltScene& scene, ChosenPrecision asked) {
                                                                               : Precision::double_precision;
 }
 
-// Throws ConfigError for a pass that the method's step plan does not contain: its effect would do nothing.
+// Throws ConfigError if the method leaves out one of `passes`, because its effect would then do nothing.
 template <class Real>
 void check_plan(const BuiltScene& scene, const std::vector<Pass<Real>>& passes,
                 const Simulation& simulation) {
@@ -304,8 +305,8 @@ void check_plan(const BuiltScene& scene, const std::vector<Pass<Real>>& passes,
         std::ranges::find(simulation.passes(), pass.name, &PassStatistics::name) == simulation.passes().end())
       throw ConfigError("solver method",
                         {{"/solver/method",
-                          fmt::format("the substeps of '{}' have no place for '{}', which would do nothing: "
-                                      "remove it from /effects, or choose another method",
+                          fmt::format("the method '{}' never runs '{}', which would do nothing: remove the "
+                                      "effect from /effects, or choose another method",
                                       scene.input.method.name(), pass.name)}});
   }
 }

@@ -1,5 +1,5 @@
-// Builds what a solver needs from a scene: mesh, pins, masses, constraints, effects. This joins the folders
-// of the library, which do not know each other.
+// Builds what a solver needs from a scene: mesh, pins, masses, constraints, effects. Brings together the
+// folders of the library, most of which do not include each other.
 #pragma once
 
 #include <filesystem>
@@ -19,18 +19,17 @@
 
 namespace bendlab {
 
-/// A mesh that can't be simulated (empty, non-finite, non-manifold, …), with the first bad places. Exit
-/// code 4.
+/// The mesh can't be simulated (empty, non-manifold, …). The text lists the first bad elements. Exit code 4.
 class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 struct BuiltScene {
   RestMesh rest;
-  std::vector<std::string> mesh_notes{};  ///< what was done about a bad mesh
+  std::vector<std::string> mesh_notes{};  ///< warnings: what was done about problems of the mesh
   Pins pins{};
   std::vector<BendingFact> bending_facts;
-  std::optional<PushBound> push{};  ///< for springs that push: how large a push the solver can hold
+  std::optional<PushBound> push{};  ///< for springs that push: how large a push the solver can simulate
   int springs_beyond_ring_1 = 0;    ///< distance constraints that are not edges of the mesh
   SimulationInput input;
   std::vector<Effect> effects;
@@ -39,25 +38,23 @@ struct BuiltScene {
   std::filesystem::path folder;      ///< folder of the scene
 };
 
-/// The rest mesh that a scene describes: generated, read from a file or given, accepted by the policy for bad
-/// triangles, and scaled. Throws MeshError (refused) and MeshFileError (unreadable).
+/// The rest mesh that a scene describes: generated, read from a file, or given in C++; then scaled. Throws
+/// MeshError if /mesh/bad_triangles refuses the mesh, and MeshFileError if the file can't be read.
 AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder);
 
-/// Builds a settled scene (rules.hpp). Throws MeshError, MeshFileError, and ConfigError for settings that
-/// contradict each other.
+/// Builds a scene after settle() (rules.hpp). Throws like rest_mesh_of(), and ConfigError for wrong settings.
 BuiltScene build_scene(const Scene& scene);
 
-/// The name of an effect's passes in a run: its type, with a number if the type is listed more than once.
+/// The name of an effect's passes: the type of the effect, with a number if several effects have that type.
 std::string pass_name(const std::vector<Effect>& effects, std::size_t index);
 
-/// Indices in scene.effects of the effects that cannot change anything: idle by their settings, or without a
-/// pass in this scene.
+/// Indices in scene.effects of the effects that do nothing, because of their settings or for lack of a pass.
 std::vector<std::size_t> idle_effects(const BuiltScene& scene);
 
-/// Whether an effect of the scene moves vertices itself, besides the constraints.
+/// Whether an effect of the scene moves vertices directly, as tethers and obstacles do.
 bool moves_vertices(const BuiltScene& scene);
 
-/// The scene's simulation, in the scene's precision.
+/// A simulation of the scene, in the precision that the scene sets.
 std::unique_ptr<Simulation> simulation_of(const BuiltScene& scene);
 
 }  // namespace bendlab

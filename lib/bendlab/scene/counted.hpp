@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// "1 run", "2 runs", "0 runs": the noun gets an s unless the count is 1.
+/// For example "1 run", "2 runs" or "0 runs". An s is added if the count is not 1.
 std::string counted(std::integral auto count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

@@ -13,47 +13,44 @@
 namespace bendlab {
 namespace {
 
-// A choice of /defaults: settings that go together, as a change of Scene{}.
+// A value of /defaults: a function that changes several settings of Scene{}.
 struct Recipe {
   std::string_view name;
   void (*change)(Scene&);
-  /// Whether the recipe's solver settings stay if the config names the recipe's own method. If false, a
-  /// config that names any method gets that method's own defaults.
+  /// Whether solver settings of the recipe apply to a config that sets /solver/method to the method of the
+  /// recipe. If false, such a config gets the defaults of the method.
   bool solves = true;
 };
 
-// quasi_newton with its own settings. configs/recommended.json has the scenes on which these settings were
-// measured.
+// quasi_newton with its default settings, which were chosen with the scenes in configs/recommended.json.
 void recommended(Scene&) {}
 
-// The same cloth, simulated by projections. Coarse levels hold the cloth together, whatever effects are
-// listed.
+// The recommended cloth, simulated by projections. Coarse levels keep the cloth from stretching.
 void projected(Scene& scene) {
   scene.solver.method = Pbd{.levels = 12};
 }
 
-// For a config that names no method, but states something that only projections use: k, an effect that acts
-// on projections, or a setting of pbd.
+// For a config without /solver/method, but with k, an effect on projections, or a setting of pbd.
 void projected_k(Scene& scene) {
   projected(scene);
   scene.material.strain.stiffness = Stiffness::k;
 }
 
-// Measured on sheets of 1 m with 64 cells that hang by one corner, by two corners, and by a side. A frame
-// takes 0.95 ms of CPU time; with the paper's adaptive springs it takes 1.10 ms. No triangle is ever
-// stretched by more than 0.05, and the sheets end within 2 % of where they should. The cloth tears in none of
-// the 238 runs of tests/foreign/scenes.py.
+// Chosen by simulating sheets of 1 m with 64 cells that hang by one corner, by two corners, and by a side. A
+// frame takes 0.95 ms of CPU time; with the paper's adaptive springs it takes 1.10 ms. No triangle is ever
+// stretched by more than 0.05, and the final positions are wrong by at most 2 %. The cloth does not tear in
+// any of the 238 runs of tests/foreign/scenes.py.
 void fast(Scene& scene) {
   scene.solver.iterations = 2;
 }
 
-// Every step is solved to its minimum; the steps are of second order in time.
+// Every step is solved until it has converged, and the steps are of second order in time.
 void reference(Scene& scene) {
   scene.solver.method = Newton{};
   scene.solver.substeps = 4;
 }
 
-// The paper gives numbers only for its springs; our numbers for everything else are in configs/paper.
+// The paper states numbers only for the springs. Our choice of all other numbers is in configs/paper.
 void paper(Scene& scene) {
   scene.pins.ring = 1;
   scene.material.strain.form = StrainForm::normalised;
@@ -79,7 +76,7 @@ bool is_k(const Json& settings, const std::string& pointer) {
   return value != nullptr && (*value == "k" || *value == "k_per_step");
 }
 
-// The kind that a setting names; null if the setting names no known kind.
+// The kind whose name is the value of the setting; null if the name is not known.
 template <class Kind>
 const Kind* kind_at(const Json& settings, const std::string& pointer, const Kind* (*find)(std::string_view)) {
   const Json* const name = value_at(settings, pointer);
@@ -91,8 +88,8 @@ bool given(const Json& settings, std::string_view section, std::initializer_list
       names, [&](std::string_view name) { return is_given(settings, fmt::format("{}/{}", section, name)); });
 }
 
-// The kind of stiffness that a config means if it states a number of the membrane but not
-// /material/strain/stiffness. Nothing if it states the kind, or no number.
+// The kind of membrane stiffness that a config without /material/strain/stiffness means, from the numbers
+// that the config states. Empty if the config states /material/strain/stiffness, or none of the numbers.
 std::optional<Stiffness> meant_membrane(const Json& settings) {
   if (value_at(settings, "/material/strain/stiffness") != nullptr) return std::nullopt;
   if (is_given(settings, "/material/strain/membrane_stiffness")) return Stiffness::physical;
@@ -101,7 +98,7 @@ std::optional<Stiffness> meant_membrane(const Json& settings) {
   return std::nullopt;
 }
 
-// Whether a config that names no method states something that only methods which project constraints use.
+// Whether a config without /solver/method contains something that only projecting methods use.
 bool asks_for_projection(const Json& settings) {
   if (is_k(settings, "/material/strain/stiffness") || meant_membrane(settings) == Stiffness::k ||
       is_k(settings, "/bending/stiffness") ||
@@ -133,20 +130,19 @@ const Recipe& recipe_of(const Json& settings) {
   return kind_at(settings, "/solver/method", find_method) == &Pbd::kind ? by_projections : recipes.front();
 }
 
-// Without /bending/stiffness, the number that the config states decides: k means k, a compliance means
-// compliance.
+// Without /bending/stiffness, the stiffness is "k" if k is given, and "compliance" if compliance is given.
 void choose_bending(const Json& settings, Bending& bending, ConfigProblems& problems) {
   const Json* const section = value_at(settings, "/bending");
   if (section == nullptr || !section->is_object() || section->contains("stiffness")) return;
   const bool k = is_given(settings, "/bending/k"), compliance = is_given(settings, "/bending/compliance"),
              physical = given(settings, "/bending", {"flexural_rigidity", "quartic_coefficient"});
   if (k + compliance + physical > 1)
-    problems.push_back({"/bending/stiffness",
-                        fmt::format("is missing, but {} are given: state which of them counts, as \"k\", "
-                                    "\"k_per_step\", \"compliance\" or \"physical\"",
-                                    !physical ? "k and compliance"
-                                    : k       ? "k and a rigidity"
-                                              : "compliance and a rigidity")});
+    problems.push_back(
+        {"/bending/stiffness", fmt::format("is missing, but {} are given: set it to \"k\", \"k_per_step\", "
+                                           "\"compliance\" or \"physical\" to choose which number is used",
+                                           !physical ? "k and compliance"
+                                           : k       ? "k and a rigidity"
+                                                     : "compliance and a rigidity")});
   if (k)
     bending.stiffness = Stiffness::k;
   else if (compliance)
@@ -155,8 +151,7 @@ void choose_bending(const Json& settings, Bending& bending, ConfigProblems& prob
     bending.stiffness = Stiffness::physical;
 }
 
-// Drops the default rigidity if the config states a quartic_coefficient instead, or if the model does not
-// bend (the control).
+// Removes the default rigidity if the config states quartic_coefficient, or if the model does not bend.
 void choose_rigidity(const Json& settings, Bending& bending) {
   const BendingKind* const model = kind_at(settings, "/bending/model", find_bending_model);
   const bool bends = model != nullptr ? model->bends : bending.model.kind().bends;
@@ -177,7 +172,7 @@ Scene scene_before(const Json& settings, ConfigProblems& problems) {
   if (const auto meant = meant_membrane(settings)) scene.material.strain.stiffness = *meant;
   choose_bending(settings, scene.bending, problems);
   choose_rigidity(settings, scene.bending);
-  // A build may lack an effect.
+  // A program may be built without a default effect.
   std::erase_if(scene.effects, [](const Effect& effect) { return find_effect(effect.name()) == nullptr; });
   return scene;
 }

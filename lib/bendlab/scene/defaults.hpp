@@ -1,4 +1,4 @@
-// The defaults of a config: the scene from which it starts.
+// The default settings of a config, as a scene.
 #pragma once
 
 #include <array>
@@ -9,16 +9,15 @@
 
 namespace bendlab {
 
-/// Choices of /defaults. "recommended": the settings of Scene{}, measured in configs/recommended.json; for a
-/// config that states a setting which only projections read (k, for example), projections with coarse levels.
-/// "fast": implicit steps with few iterations. "reference": converged implicit steps. "paper": settings that
-/// repeat the paper.
+/// Values of /defaults. "recommended": the settings of Scene{}, tested in configs/recommended.json; but a
+/// config with a setting that only projections read (such as k) gets projections with coarse levels. "fast":
+/// implicit steps with few iterations. "reference": converged implicit steps. "paper": the settings of the
+/// paper.
 inline constexpr std::array<std::string_view, 4> defaults_names = {"recommended", "fast", "reference",
                                                                    "paper"};
 
-/// The scene that the config `given` starts from; the caller then applies the settings that the config
-/// states. Appends a problem if it is unclear which of two stiffnesses the config means. Does not look for
-/// other mistakes in `given`.
+/// The defaults for the config `given`, without the settings that the config states. Appends a problem if the
+/// config states two stiffnesses without a choice. Does not look for other mistakes.
 Scene scene_before(const Json& given, ConfigProblems& problems);
 
 }  // namespace bendlab

@@ -23,7 +23,7 @@ std::string range_text(const Field& row) {
   return least + (low && high ? " and" : "") + most;
 }
 
-// Reads values of one row. If the JSON type or the range is wrong, functions report it and return nothing.
+// Reads the values of a row. Values with a wrong type or range are reported, and nothing is returned.
 class Reader {
  public:
   Reader(const Field& row, ConfigProblems& problems) : row_(row), problems_(problems) {}
@@ -73,7 +73,7 @@ class Reader {
   }
 
   std::optional<Value> read_integer(const Json& given, const std::string& pointer) {
-    constexpr double largest = 9007199254740992;  // 2⁵³: below it a double holds every whole number
+    constexpr double largest = 9007199254740992;  // 2⁵³: whole numbers up to this limit are exact
     if (!given.is_number()) return wrong(given, pointer);
     const double value = given.get<double>();
     if (!in_range(value) || std::abs(value) >= largest || value != std::floor(value))
@@ -110,7 +110,7 @@ class Reader {
   ConfigProblems& problems_;
 };
 
-// Suggests the setting of that name in another section, if somebody wrote it in the wrong section.
+// If another section has a setting with that name, suggests that setting.
 std::string setting_elsewhere(std::string_view key) {
   for (const Section& section : scene_sections())
     for (const SettingRow& row : section.rows)

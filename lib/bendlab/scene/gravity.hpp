@@ -8,7 +8,7 @@
 
 namespace bendlab {
 
-/// The sum of the effects' uniform accelerations, m/s²; zero without such an effect.
+/// The sum of the uniform accelerations of all effects, m/s²; zero if no effect has one.
 Vector3 gravity_of(const std::vector<Effect>& effects);
 
 /// The direction of gravity; -z if there is no gravity.

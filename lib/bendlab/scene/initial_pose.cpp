@@ -15,22 +15,21 @@
 namespace bendlab {
 namespace {
 
-// The sheet folded to and fro along x: equal layers, each joined to the next by a half circle of diameter
-// `gap`.
+// The sheet folded back and forth along x: layers of equal width, joined by half circles of diameter `gap`.
 Positions folded(const RestMesh& rest, int folds, double gap) {
   const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
   const double layer = (width - folds * turn) / (folds + 1);
   if (layer <= 0)
     throw ConfigError("initial pose",
                       {{"/initial/fold_gap",
-                        fmt::format("the turns of {} with a gap of {} m need {:.3g} m, but the sheet is "
-                                    "{:.3g} m wide: use fewer folds or a smaller gap",
+                        fmt::format("the half circles of {} with a gap of {} m need {:.3g} m, but the sheet "
+                                    "is {:.3g} m wide: use fewer folds or a smaller gap",
                                     counted(folds, "fold"), gap, folds * turn, width)}});
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double along = positions(v, 0) - rest.box_min().x();
     const int below = std::min(folds, static_cast<int>(along / (layer + turn)));
-    const double within = along - below * (layer + turn);  // its layer, then the turn that follows
+    const double within = along - below * (layer + turn);  // position in a layer and the half circle after it
     const double angle = std::max(0.0, within - layer) / (0.5 * gap);
     const double to_the_right = std::min(within, layer) - 0.5 * layer + 0.5 * gap * std::sin(angle);
     positions(v, 0) = rest.centre().x() + (below % 2 == 0 ? to_the_right : -to_the_right);
@@ -39,7 +38,7 @@ Positions folded(const RestMesh& rest, int folds, double gap) {
   return positions;
 }
 
-// The sheet folded like a fan along x: strips of equal width lie flat on each other, without thickness.
+// The sheet folded like a fan along x: strips of equal width lie exactly on top of each other.
 Positions creased(const RestMesh& rest, int creases) {
   const double column = (rest.box_max() - rest.box_min()).x() / (creases + 1);
   Positions positions = rest.positions();
@@ -53,8 +52,9 @@ Positions creased(const RestMesh& rest, int creases) {
 
 Positions folded_rest_shape(const Initial& initial, const RestMesh& rest) {
   if (initial.folds > 0 && initial.creases > 0)
-    throw ConfigError("initial pose",
-                      {{"/initial/creases", "excludes /initial/folds: set one of the two to 0"}});
+    throw ConfigError("initial pose", {{"/initial/creases",
+                                        "cannot be combined with /initial/folds: set one of these "
+                                        "settings to 0"}});
   if (initial.folds > 0) return folded(rest, initial.folds, initial.fold_gap);
   return initial.creases > 0 ? creased(rest, initial.creases) : rest.positions();
 }
@@ -66,7 +66,7 @@ Positions tilted(const Positions& positions, const Vector3& centre, double degre
   return ((positions.rowwise() - centre.transpose()) * rotation.transpose()).rowwise() + centre.transpose();
 }
 
-// Stretched about the mean of the pins that the scene names, or the centre. Pinned vertices stay.
+// Stretches free vertices, relative to the mean of the seeds of the pins, or to the centre without pins.
 void scale(Positions& positions, const Vector3& factor, const RestMesh& rest, const Pins& pins) {
   if (factor == Vector3::Ones()) return;
   Vector3 about = pins.seeds.empty() ? rest.centre() : Vector3::Zero();
@@ -96,7 +96,7 @@ Positions initial_positions(const Initial& initial, const RestMesh& rest, const 
     if (box > 0)
       positions.row(v) = rest.centre() + 0.5 * box * random;
     else
-      // std::fma by name: if the compiler may choose whether to fuse, the pose differs by a rounding.
+      // std::fma, because otherwise rounding depends on whether the compiler fuses multiply and add.
       for (int i = 0; i < 3; ++i) positions(v, i) = std::fma(amplitude, random[i], positions(v, i));
   }
   return positions;

@@ -1,4 +1,4 @@
-// Where the cloth is and how it moves at time 0.
+// The positions and velocities of the cloth at time 0.
 #pragma once
 
 #include "bendlab/mesh/pins.hpp"
@@ -7,12 +7,12 @@
 
 namespace bendlab {
 
-/// #V by 3, m: the rest shape folded or creased, stretched by `scale`, turned by `tilt`, or random positions,
-/// as the settings of /initial say. Pinned vertices stay where folds and tilt bring them. Throws ConfigError
-/// for settings that contradict each other.
+/// #V by 3, m. By the settings of /initial, the rest shape is folded or creased, turned by `tilt` and
+/// stretched by `scale`, or free vertices get random positions. Pinned vertices are only folded and tilted.
+/// Throws ConfigError if settings contradict each other.
 Positions initial_positions(const Initial& initial, const RestMesh& rest, const Pins& pins);
 
-/// The velocities of a cloth that starts at `positions`, #V by 3, m/s; empty if the cloth starts at rest.
+/// The velocities at the start, #V by 3, m/s, for a cloth at `positions`. Empty if the cloth starts at rest.
 Positions initial_velocities(const Initial& initial, const Positions& positions, const Vector3& centre);
 
 }  // namespace bendlab

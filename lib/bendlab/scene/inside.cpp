@@ -5,7 +5,7 @@
 namespace bendlab {
 namespace {
 
-// The state at the start, at rest. Pinned vertices cannot be moved.
+// The state at the start, with velocities 0. Pinned vertices cannot be moved.
 State<double> state_of(const BuiltScene& scene) {
   const SimulationInput& input = scene.input;
   State<double> state;
@@ -37,7 +37,7 @@ std::optional<Inside> inside_at_start(const BuiltScene& scene, std::size_t index
   for (const Stage stage : {Stage::predicted, Stage::project})
     for (const Pass<double>& pass : passes)
       if (pass.stage == stage) pass.run(context);
-  constexpr double shallow = 0.01;  // of the size: the obstacle's thickness and rounding reach so far
+  constexpr double shallow = 0.01;  // of the size: more than the obstacle's thickness and rounding errors
   Inside inside{0, 0, 0};
   for (int v = 0; v < state.vertex_count; ++v) {
     const auto at = static_cast<std::size_t>(v);

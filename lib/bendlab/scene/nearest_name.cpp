@@ -9,7 +9,7 @@ std::size_t edit_distance(std::string_view from, std::string_view to) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
   };
-  // distance[i][j]: between the first i letters of `from` and the first j of `to`
+  // distance[i][j]: between the first i letters of `from` and the first j letters of `to`
   std::vector<std::vector<std::size_t>> distance(from.size() + 1, std::vector<std::size_t>(to.size() + 1));
   for (std::size_t i = 0; i <= from.size(); ++i) distance[i][0] = i;
   for (std::size_t j = 0; j <= to.size(); ++j) distance[0][j] = j;

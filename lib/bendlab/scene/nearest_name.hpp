@@ -1,4 +1,4 @@
-// "Did you mean …?": the allowed name that a mistyped one is nearest to.
+// Suggestions "did you mean …?": finds the allowed name that is most similar to a mistyped name.
 #pragma once
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 
 namespace bendlab {
 
-/// Insertions, deletions, replacements and swaps of neighbours that lead from one name to the other, case
-/// ignored (optimal string alignment).
+/// The number of edits that change `from` to `to`: insertions, deletions, replacements and swaps of
+/// neighbouring letters (optimal string alignment). Upper and lower case count as equal.
 std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate with the smallest edit distance to `name` (ties go to the first), or "" if that candidate is
-/// too far away for a slip: more than 1 edit, and one more per four letters.
+/// The candidate with the smallest edit distance to `name` (ties go to the first), or "" if the distance is
+/// too large for a typing mistake. 1 edit is allowed, and 1 more for every four letters.
 template <class Names>
 std::string nearest_name(std::string_view name, const Names& candidates) {
   const auto distance = [&](std::string_view candidate) { return edit_distance(name, candidate); };
@@ -22,7 +22,7 @@ std::string nearest_name(std::string_view name, const Names& candidates) {
   return std::string(*nearest);
 }
 
-/// "; did you mean 'cells'?", or "" if no candidate is near.
+/// For example "; did you mean 'cells'?", or "" if no candidate is similar enough.
 template <class Names>
 std::string suggestion(std::string_view name, const Names& candidates) {
   const std::string nearest = nearest_name(name, candidates);

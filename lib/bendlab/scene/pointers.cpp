@@ -9,7 +9,7 @@ namespace {
 
 using Pointer = Json::json_pointer;
 
-// The index that a pointer's part stands for in a list of `size` entries, or nothing.
+// The index for the text `part` of a JSON pointer; nothing if a list of `size` entries has no such index.
 std::optional<std::size_t> list_index(std::string_view part, std::size_t size) {
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);

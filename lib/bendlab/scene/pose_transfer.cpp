@@ -20,7 +20,7 @@ Eigen::AlignedBox<double, 2> box_of(const std::vector<Vector2>& points) {
   return box;
 }
 
-// Finds the triangle of a flat sheet at a point, also for points just outside its outline.
+// Finds the triangle of a flat sheet that contains a point, or a triangle near a point just outside.
 class Sheet {
  public:
   Sheet(const RestMesh& rest, const std::vector<Vector2>& plane)
@@ -35,7 +35,7 @@ class Sheet {
     return std::nullopt;
   }
 
-  // The corners' weights whose weighted sum is `point`, which may lie outside the triangle.
+  // The barycentric weights of `point`, which may lie outside the triangle.
   std::array<double, 3> weights(const std::array<int, 3>& corner, const Vector2& point) const {
     const auto flat = [&](std::size_t c) { return plane_[static_cast<std::size_t>(corner[c])]; };
     Eigen::Matrix2d sides;
@@ -51,8 +51,8 @@ class Sheet {
   Vector2 centre_ = Vector2::Zero();
 };
 
-// A vertex outside the other sheet finds no triangle there, which is an error already. This check finds the
-// other case: a sheet `from` that is larger all around.
+// Refuses two sheets of different size. (A vertex of `to` outside the sheet `from` is an error already, but a
+// sheet `from` that is larger on all sides is not.)
 void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane, const RestMesh& to,
                    const std::vector<Vector2>& to_plane) {
   const Eigen::AlignedBox<double, 2> from_box = box_of(from_plane), to_box = box_of(to_plane);
@@ -61,8 +61,8 @@ void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane,
                                 (from_box.max() - to_box.max()).cwiseAbs().maxCoeff());
   if (apart > allowed)
     throw std::invalid_argument(
-        fmt::format("the other mesh has another outline: the two outlines are {:.3g} m apart, and at most "
-                    "two edge lengths ({:.3g} m) are allowed: give both meshes the same extent",
+        fmt::format("the two meshes have different outlines, {:.3g} m apart, but at most two edge lengths "
+                    "({:.3g} m) are allowed: give both meshes the same extent",
                     apart, allowed));
 }
 
@@ -77,16 +77,14 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
     throw std::invalid_argument(
-        "the meshes differ, and are not both meshes of the same flat sheet: give both runs the same mesh, or "
-        "two meshes of one flat sheet");
+        "the two runs have different meshes, and at least one mesh is not flat: use the same mesh for both "
+        "runs, or two meshes of one flat sheet");
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);
     if (!corner)
-      throw std::invalid_argument(
-          fmt::format("vertex {} lies outside the sheet of the other mesh: give both meshes the same extent "
-                      "and position",
-                      v));
+      throw std::invalid_argument(fmt::format(
+          "vertex {} lies outside the other mesh: give both meshes the same extent and position", v));
     places_.push_back({*corner, sheet.weights(*corner, points[v])});
   }
   check_outline(from, from_plane, to, points);

@@ -8,24 +8,23 @@
 
 namespace bendlab {
 
-/// Whether two meshes have the same vertices at the same positions, to the bit.
+/// Whether two meshes have the same number of vertices, at exactly equal positions.
 bool same_rest_positions(const RestMesh& first, const RestMesh& second);
 
-/// Interpolates linearly in the rest plane, and extrapolates linearly beyond the outline; the two outlines
-/// may differ by an edge length or two. Between meshes with the same rest positions a pose is copied to the
-/// bit.
+/// Interpolates linearly in the rest plane, and extrapolates beyond the outline, because the two outlines may
+/// differ by up to two edge lengths. Between meshes with equal rest positions, a pose is copied exactly.
 class PoseTransfer {
  public:
-  /// Throws std::invalid_argument if the meshes differ and are not meshes of the same flat sheet.
+  /// Throws std::invalid_argument if the meshes differ and are not two meshes of the same flat sheet.
   PoseTransfer(const RestMesh& from, const RestMesh& to);
 
-  /// `pose` #V of `from` by 3 → #V of `to` by 3, m.
+  /// `pose` has a row for each vertex of `from`, the result for each vertex of `to`; m.
   Positions operator()(const Positions& pose) const;
 
  private:
   struct Place {
     std::array<int, 3> corner;
-    std::array<double, 3> weight;  // sum 1; outside the triangle there are negative weights
+    std::array<double, 3> weight;  // with sum 1; negative weights mean a point outside
   };
   std::vector<Place> places_;  // #V of `to`; empty: the meshes are the same
 };

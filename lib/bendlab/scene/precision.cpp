@@ -12,24 +12,24 @@
 namespace bendlab {
 
 bool RoundingSpeed::single_suffices() const {
-  // Measured in single precision on sheets of 1.4 m, 0.2 kg and 12 cells, on a plane and on tethers. With 16,
-  // 64, 256 and 1024 substeps the ratio is 0.008, 0.13, 2 and 32, and sheets at rest still move at 0.008,
-  // 0.02, 0.1 and 0.3 mm/s (rms; in double precision they do not move). Positions and strains do not show
-  // this motion.
+  // The largest allowed ratio rounded / gained. Measured in single precision on sheets of 1.4 m, 0.2 kg and
+  // 12 cells, on a plane and on tethers: with 16, 64, 256 and 1024 substeps the ratio is 0.008, 0.13, 2 and
+  // 32. Sheets that should be at rest then move at 0.008, 0.02, 0.1 and 0.3 mm/s (rms), but not in double
+  // precision. The motion is too small to be seen in positions and strains.
   constexpr double of_speeds = 10;
-  // Friction depends on how far gravity pushes a vertex into an obstacle. The way of a sheet of 1 m that
-  // slides down an incline is wrong by 2 % at a ratio of 0.25, by 7 % at 1, and by 150 % at 4. At 0.85 and
-  // 0.98 of the static limit the sheet slides at a ratio of 0.06, with 6 projections per substep or with 1,
-  // but holds in double precision.
+  // With friction, the largest allowed ratio rounded · projections / gained. Friction depends on how far
+  // gravity pushes a vertex into an obstacle. A sheet of 1 m that slides down an incline moves by a wrong
+  // distance: 2 % at a ratio of 0.25, 7 % at 1, and 150 % at 4. At 0.85 and 0.98 of the static limit and a
+  // ratio of 0.06, a sheet slides, with 6 projections per substep and with 1, but not in double precision.
   constexpr double of_friction = 0.01;
   return !matters || gained == 0 ||
          !(friction ? rounded * projections > of_friction * gained : rounded > of_speeds * gained);
 }
 
 bool RoundingSpeed::whole_suffices() const {
-  // Measured with rounded positions on a strip of known membrane stiffness, 1 m long, and on cantilevers of 9
-  // cm (three models, 12 and 24 cells). Elongation and drop differ from double precision by less than 0.0006
-  // if the ratio is below 0.01, and by 0.006 at a ratio of 0.2.
+  // The largest allowed ratio rounded / gained. Measured with whole positions on a strip of 1 m with known
+  // membrane stiffness, and on cantilevers of 9 cm (three models, 12 and 24 cells). Elongation and drop
+  // differ from double precision by less than 0.0006 below a ratio of 0.01, and by 0.006 at 0.2.
   constexpr double most = 0.01;
   return rounded <= most * gained;
 }
@@ -49,9 +49,9 @@ RoundingSpeed rounding_speed(const BuiltScene& scene) {
 }
 
 bool RoundingStrain::single_suffices() const {
-  // A curtain of 0.4 m at rest after 20 iterations a step (24, 48 and 96 cells, Y = 10³ to 10⁵ N/m) differs
-  // from double precision by 0.0008 of its size where the ratio is 0.15, and by 0.005 to 0.01 where it is
-  // 0.36 to 1.5. A cloth of 0.2 mm (ratio 38) does not move at all.
+  // The largest allowed ratio rounded / of_weight. A curtain of 0.4 m at rest, with 20 iterations per step
+  // (24, 48 and 96 cells, Y = 10³ to 10⁵ N/m), differs from double precision by 0.0008 of its size at a ratio
+  // of 0.15, and by 0.005 to 0.01 at 0.36 to 1.5. A cloth of 0.2 mm (ratio 38) does not move at all.
   constexpr double most = 0.2;
   return !matters || !(rounded > most * of_weight);
 }
@@ -65,7 +65,7 @@ RoundingStrain rounding_strain(const BuiltScene& scene) {
   };
   const double area_density = sum(input.mass) / sum(scene.rest.areas());
   const double stated = gravity_of(scene.effects).norm(), g = stated > 0 ? stated : 9.81;
-  // If the method softens the membrane up to an allowed error, the strain is more than a hundred roundings.
+  // If a membrane error is allowed, the membrane is so soft that rounding is less than 1 % of its strain.
   const bool softened =
       method.membrane_error != nullptr && method.membrane_error(input.method.settings()) > 0;
   return {.rounded = double{std::numeric_limits<float>::epsilon()} * size / scene.rest.mean_edge_length(),

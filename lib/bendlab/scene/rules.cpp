@@ -17,7 +17,7 @@
 namespace bendlab {
 namespace {
 
-// Rows run along the sides that are pinned by name, because rows across a clamp lock the membrane.
+// Rows are parallel to sides that are pinned by name, because rows across a clamp lock the membrane.
 Rows rows_of_lattice(const Mesh& mesh, const Pinning& pins) {
   const auto names = [&](std::initializer_list<Place> sides) {
     return std::ranges::find_first_of(pins.vertices, sides) != pins.vertices.end();
@@ -27,7 +27,7 @@ Rows rows_of_lattice(const Mesh& mesh, const Pinning& pins) {
   return along_x == (mesh.width >= mesh.height) ? Rows::parallel : Rows::perpendicular;
 }
 
-// A ring of two vertices is not a tube; a lattice of one triangle's width has no second row.
+// A ring of a tube needs three vertices. In a lattice one cell wide, every second row would be one vertex.
 void check_cells(const Scene& scene, ConfigProblems& problems) {
   const Mesh& mesh = scene.mesh;
   if (mesh.file || mesh.given) return;
@@ -37,7 +37,7 @@ void check_cells(const Scene& scene, ConfigProblems& problems) {
                                                    name_in(generator_names, mesh.generator), mesh.cells)});
 }
 
-// The rigidity that springs and arcs give a sheet is known for flat rest shapes only.
+// Springs and arcs give a sheet a rigidity that is known only for flat rest shapes.
 void check_springs_lie_flat(const Scene& scene, ConfigProblems& problems) {
   const Mesh& mesh = scene.mesh;
   if (scene.bending.stiffness != Stiffness::physical || mesh.file || mesh.given) return;
@@ -46,13 +46,13 @@ void check_springs_lie_flat(const Scene& scene, ConfigProblems& problems) {
   if (shortens && (mesh.generator == Generator::tube || mesh.generator == Generator::sphere))
     problems.push_back(
         {"/bending/stiffness",
-         fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
-                     "for a {}: choose a model made of hinges ({}), or state it by k or compliance",
+         fmt::format("the physical stiffness of {} is known only for flat rest shapes, not for a {}: choose "
+                     "a model made of hinges ({}), or set stiffness to k or compliance",
                      model.name, name_in(generator_names, mesh.generator),
                      fmt::join(models_of_hinges(), ", "))});
 }
 
-// A run has at least one step, and not more steps than can be counted and waited for.
+// A run has at least one step and at most 10⁹ steps.
 void check_times(const Scene& scene, ConfigProblems& problems) {
   constexpr double most = 1e9, rounding = 1e-6;
   const double duration = scene.duration, dt = scene.solver.dt;
@@ -61,13 +61,13 @@ void check_times(const Scene& scene, ConfigProblems& problems) {
         {"/duration", fmt::format("is shorter than a step: {} s, but /solver/dt is {} s", duration, dt)});
   if (duration / dt > most)
     problems.push_back(
-        {"/duration", fmt::format("is {:.3g} steps of /solver/dt, but a run may have at most {:.3g}",
+        {"/duration", fmt::format("takes {:.3g} steps of /solver/dt, but at most {:.3g} steps are allowed",
                                   duration / dt, most)});
 }
 
 void check_warp_direction(const Scene& scene, ConfigProblems& problems) {
   if (scene.material.warp_direction.isZero(0))
-    problems.push_back({"/material/warp_direction", "is the zero vector, which has no direction"});
+    problems.push_back({"/material/warp_direction", "is the zero vector, but needs a direction"});
 }
 
 // Checks what a physical stiffness requires of the model.
@@ -78,16 +78,16 @@ void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model.name)});
   };
   if (model.springs_only && bending.deflection != Deflection::large)
-    report("deflection", "applies only to models made of hinges: remove it for {}");
+    report("deflection", "applies only to models made of hinges: remove this setting for {}");
   if (!model.bends || !bending.quartic_coefficient) return;
   if (!model.springs_only || model.prestressed)
     report("quartic_coefficient",
-           "applies only to springs that are at rest in the flat sheet, and {} has no such springs: state "
+           "applies only to springs without force in the flat sheet, which {} does not have: set "
            "flexural_rigidity (in N m) instead");
   else if (bending.flexural_rigidity)
     report("quartic_coefficient",
-           "is given, and flexural_rigidity, too, but the springs of {} have only one stiffness: remove one "
-           "of the two");
+           "cannot be combined with flexural_rigidity, because the springs of {} have only one stiffness: "
+           "remove one of these settings");
 }
 
 void check_repeats(const Scene& scene, ConfigProblems& problems) {
@@ -119,8 +119,8 @@ class MethodRules {
       refuse_model();
     else if (method_.factorised == Factorised::scalars && model_.one_sided)
       report("/bending/model",
-             fmt::format("the force of {} jumps where the cloth is straight, so that no constant matrix "
-                         "approximates it: choose the method newton, or another model",
+             fmt::format("the force of {} jumps where the cloth is straight, so that no constant matrix can "
+                         "approximate the force: choose the method newton, or another model",
                          model_.name));
     else if (!why.empty() && model_.bends)
       check_compliance("/bending", scene_.bending.stiffness, scene_.bending.compliance, why);
@@ -130,15 +130,15 @@ class MethodRules {
   }
 
  private:
-  // The springs of coarse levels resist stretch in every direction alike.
+  // Coarse levels resist stretch in every direction, so warp, weft and shear must be above 0.
   void check_all_directions() {
     const Strain& strain = scene_.material.strain;
     for (const auto& [name, k] :
          {std::pair{"warp", strain.warp}, {"weft", strain.weft}, {"shear", strain.shear}})
       if (k == 0)
         problems_.push_back({fmt::format("/material/strain/{}", name),
-                             "expected a number above 0 (because the coarse levels of /solver/levels resist "
-                             "stretch in every direction), got 0; or set /solver/levels to 0"});
+                             "expected a number above 0, got 0: the coarse levels of /solver/levels resist "
+                             "stretch in every direction; to use 0, set /solver/levels to 0"});
   }
 
   void report(const std::string& pointer, const std::string& message) {
@@ -157,7 +157,7 @@ class MethodRules {
   }
 
   // Refuses effects that need projections. Effects that only help projections do nothing, but stay in the
-  // list, so that the other effects keep their indices.
+  // list, so that the indices of the other effects do not change.
   void check_projection_effects() {
     for (std::size_t i = 0; i < scene_.effects.size(); ++i)
       if (const EffectKind& effect = scene_.effects[i].kind();
@@ -165,7 +165,7 @@ class MethodRules {
         report(
             fmt::format("/effects/{}", i),
             fmt::format("{} acts between iterations, which this method does not support: remove the effect, "
-                        "or choose one of {}",
+                        "or choose one of the methods {}",
                         effect.name, fmt::join(takers_of(effect), ", ")));
   }
 
@@ -220,9 +220,9 @@ void check_stated(const Json& given, const Scene& scene, ConfigProblems& problem
     if (const std::string pointer = child_pointer(part.pointer, field.name);
         !field.is_kept(&scene) && value_at(given, pointer) != nullptr)
       problems.push_back({pointer,
-                          "does not go with /mesh/file, which states the whole mesh (only scale, offset, "
-                          "bad_triangles, refine, jitter, and with jitter seed, go with a file): remove one "
-                          "of the two; to vary meshes, sweep or set /mesh as a whole"});
+                          "cannot be combined with /mesh/file: remove one of these settings; to sweep "
+                          "different meshes, sweep /mesh as a whole. A file allows only scale, offset, "
+                          "bad_triangles, refine, jitter, and seed with jitter"});
 }
 
 void check_scene(const Scene& scene, ConfigProblems& problems) {
@@ -256,7 +256,7 @@ void check_unread(const Scene& scene, ConfigProblems& problems) {
       if (field.is_kept(&scene) || value == part.table.default_of(field)) continue;
       problems.push_back(
           {child_pointer(part.pointer, field.name),
-           fmt::format("is {}, but nothing reads it, given the other settings: leave it at its default",
+           fmt::format("is {}, but with the other settings nothing reads this setting: leave the default",
                        json_of(value).dump())});
     }
 }

@@ -1,4 +1,4 @@
-// Rules of a scene: which settings go together, and which settings follow from others.
+// Rules of a scene: which settings may be combined, and which settings follow from other settings.
 #pragma once
 
 #include "bendlab/scene/scene.hpp"
@@ -6,17 +6,16 @@
 
 namespace bendlab {
 
-/// Fills in absent settings that follow from other settings: rows of a lattice, substeps and iterations.
+/// Settles a scene: sets missing values of /mesh/rows, /solver/substeps and /solver/iterations.
 void settle(Scene& scene);
 
-/// Appends a problem for each setting of a generator that a config states beside a mesh file.
+/// Appends a problem for each generator setting in the config `given`, if the config also has a mesh file.
 void check_stated(const Json& given, const Scene& scene, ConfigProblems& problems);
 
-/// Appends a problem for settings of a settled scene that contradict each other. Each setting by itself is
-/// valid.
+/// Appends a problem for valid settings of a settled scene that contradict each other.
 void check_scene(const Scene& scene, ConfigProblems& problems);
 
-/// Appends a problem for each setting out of its range: a scene that was made in C++ may have such settings.
+/// Appends a problem for each setting out of range. Only a scene that was made in C++ may have such settings.
 void check_ranges(const Scene& scene, ConfigProblems& problems);
 
 /// Appends a problem for each unread setting that differs from its default.

@@ -1,6 +1,6 @@
-// A scene as a value: all settings of a simulation. Every setting has a default: Scene{} is a sheet of 1 m
-// that hangs from a corner. scene_tables.cpp says what each setting means, and `bendlab schema` prints it.
-// The path to a member is its pointer in a config: scene.mesh.cells is /mesh/cells.
+// A scene: all settings of a simulation in a struct. Every setting has a default; Scene{} is a sheet of 1 m
+// that hangs from a corner. `bendlab schema` prints what each setting means (scene_tables.cpp). The path to a
+// member is the setting's pointer in a config: scene.mesh.cells is /mesh/cells.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Mesh {
   double width = 1, height = 1;     ///< along x and y
   int cells = 32;                   ///< along the width
   Diagonal diagonal = Diagonal::same;
-  std::optional<Rows> rows;  ///< absent: along the sides that are pinned by name, else parallel
+  std::optional<Rows> rows;  ///< absent: parallel to a side pinned by name, if any
   double radius = 0.5;
   std::optional<double> radius_top;  ///< absent: equal to radius
   std::uint32_t seed = 1;
@@ -40,7 +40,7 @@ struct Mesh {
   std::optional<std::uint32_t> shuffle;  ///< a seed
   std::string flaw = "none";
   BadTriangles bad_triangles = BadTriangles::refuse;
-  /// A mesh from C++, instead of generator and file.
+  /// A mesh that was made in C++, used instead of generator and file.
   std::shared_ptr<const TriangleMesh> given;
 };
 
@@ -52,14 +52,14 @@ struct Pinning {
   double distance = 0;  ///< m
 };
 
-/// How a stiffness is stated: as k of projections, as a compliance, or in the units of the cloth.
+/// How a stiffness is stated: as k of projections, as a compliance, or as a physical stiffness of the cloth.
 enum class Stiffness { k, k_per_step, compliance, physical };
 
 /// Strain constraints of the triangles: the membrane.
 struct Strain {
   StrainForm form = StrainForm::angle;
   Stiffness stiffness = Stiffness::physical;
-  /// N/m: a thin cotton has about this when it is pulled along its threads.
+  /// N/m: about that of a thin cotton pulled along its threads.
   double membrane_stiffness = 1e4;
   double warp = 1, weft = 1, shear = 1, area = 0;  ///< k
   double compliance = 0;                           ///< m/N
@@ -78,16 +78,16 @@ struct Bending {
   Stiffness stiffness = Stiffness::physical;
   double k = 0.5;
   double compliance = 0;  ///< m/N or 1/(N m)
-  /// N m: a light cotton. At 0.2 kg/m² its bending length (B/ρg)^⅓ is 17 mm; strips of shirt fabrics have 15
-  /// to 25 mm by ASTM D1388.
+  /// N m: a light cotton. At 0.2 kg/m² this gives a bending length (B/ρg)^⅓ of 17 mm. Shirt fabrics have
+  /// bending lengths of 15 to 25 mm, measured by ASTM D1388.
   std::optional<double> flexural_rigidity = 1e-5;
   std::optional<double> quartic_coefficient;  ///< N m³
-  /// 1/m: a fold of 5 cm radius. At this curvature springs, whose rigidity varies, have the stated rigidity.
+  /// 1/m: the curvature at which springs have the stated rigidity; 20 is a fold of 5 cm radius.
   std::optional<double> at_curvature = 20;
   Deflection deflection = Deflection::large;
 };
 
-/// The precision that a scene states; automatic takes single precision where it suffices.
+/// The precision that a scene states; `automatic` is single precision where that suffices, otherwise double.
 enum class ChosenPrecision { automatic, single_precision, double_precision };
 
 struct Solver {
@@ -109,7 +109,7 @@ struct Initial {
   Vector3 velocity{0, 0, 0};            ///< m/s
   Vector3 spin{0, 0, 0};                ///< rad/s
   std::uint32_t seed = 1;
-  /// Changes, each "/json/pointer=value", that turn this scene into the earlier scene at whose end it starts.
+  /// Start at the end of an earlier scene, which is this scene with changes "/json/pointer=value".
   std::optional<std::vector<std::string>> after;
 };
 

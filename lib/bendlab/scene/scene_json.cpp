@@ -22,7 +22,7 @@ const Json& object_at(const Json& given, std::string_view key, const std::string
   return is_object(*entry, pointer, problems) ? *entry : nothing;
 }
 
-// A copy of `before`, with the settings that `given` states.
+// A copy of `before`, changed by the settings in `given`.
 template <class Kind>
 Chosen<Kind> chosen(const Chosen<Kind>& before, const Json& given, const std::string& pointer,
                     std::span<const std::string_view> other_keys, ConfigProblems& problems) {
@@ -31,7 +31,7 @@ Chosen<Kind> chosen(const Chosen<Kind>& before, const Json& given, const std::st
   return {before.kind(), std::move(settings)};
 }
 
-// Settings of a member of the family that is not chosen do nothing, but have to be valid.
+// Checks the settings of a bending model that is not chosen: they do nothing, but have to be valid.
 template <class Kind>
 void check_other(const Kind& kind, const Json& given, const std::string& pointer, ConfigProblems& problems) {
   const std::shared_ptr<void> settings = kind.settings.copy(kind.settings.defaults());
@@ -84,7 +84,7 @@ void read_solver(const Part& part, Solver& solver, const Json& given, ConfigProb
   for (const SettingRow& row : rows)
     if (part.table.find(row.field.name) == nullptr) other_keys.push_back(row.field.name);
   read_fields(part.table, &solver, given, pointer, other_keys, problems);
-  // Collects the method's own settings; settings of other methods only have to be valid.
+  // Collects the settings of the chosen method. Settings of other methods are only checked.
   const FieldTable& own = solver.method.kind().settings;
   Json of_own = Json::object();
   for (const SettingRow& row : rows) {
@@ -100,7 +100,7 @@ void read_solver(const Part& part, Solver& solver, const Json& given, ConfigProb
   solver.method = chosen(solver.method, of_own, pointer, {}, problems);
 }
 
-// One entry of `effects`; nothing if its type is not known.
+// Reads an entry of `effects`; returns nothing if the effect's type is not known.
 std::optional<Effect> read_effect(const Json& given, const std::string& pointer, ConfigProblems& problems) {
   if (!is_object(given, pointer, problems)) return std::nullopt;
   const SettingRow& type = effect_type_row();

@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 3> chosen_precision_names = {"auto", "sin
 
 constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
 
-// ---- When a setting is read. Canonical settings also keep numbers that belong to other choices (kept_when),
-// so that runs which differ in a choice differ in nothing else.
+// ---- When a setting is read (read_when). to_json() also writes some settings that are not read (kept_when),
+// so that two runs with different choices differ only in the choice.
 
 template <Generator... any>
 constexpr auto generated_by = read_when<Scene>([](const Scene& s) {
@@ -48,7 +48,7 @@ constexpr auto has_triangles =
 constexpr auto bends_by_number = bends_by<Stiffness::k, Stiffness::k_per_step, Stiffness::compliance>;
 constexpr auto may_bend_by_k = read_when<Scene>(
     [](const Scene& s) { return bends_by_number(&s) && s.solver.method.kind().needs_compliance.empty(); });
-// The rigidity of hinges, and of springs that push, does not depend on the curvature.
+// Only springs that do not push have a rigidity that depends on the curvature.
 constexpr auto needs_curvature = read_when<Scene>([](const Scene& s) {
   const BendingKind& model = s.bending.model.kind();
   return s.bending.stiffness == Stiffness::physical && model.springs_only && !model.prestressed;
@@ -66,36 +66,37 @@ constexpr auto has_precisions =
     read_when<Scene>([](const Scene& s) { return s.solver.method.kind().make_float != nullptr; });
 
 constexpr std::string_view stiffness_meaning =
-    "How stiffness is given. k: the share of a constraint's error that one projection removes; k_per_step: "
-    "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); compliance: "
-    "inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: k if warp, weft, shear "
-    "or area is given, compliance if compliance is given, else as /defaults says";
+    "How stiffness is given. k: a projection removes the fraction k of a constraint's error. k_per_step: the "
+    "n projections of a substep together remove the fraction k, and a single projection 1 - (1 - k)^(1/n). "
+    "compliance: inverse stiffness, as in XPBD. physical: membrane_stiffness is used. Absent: k if warp, "
+    "weft, shear or area is given, compliance if compliance is given, otherwise as in /defaults";
 
 constexpr std::string_view bending_stiffness_meaning =
-    "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
-    "flexural_rigidity or quartic_coefficient below, for which each constraint gets its own compliance from "
-    "the mesh. Absent: k if k is given, compliance if compliance is given, else physical";
+    "How stiffness is given. k, k_per_step and compliance: as in /material/strain. physical: "
+    "flexural_rigidity or quartic_coefficient is used, and the compliance of each constraint is computed "
+    "from the mesh. Absent: k if k is given, compliance if compliance is given, otherwise physical";
 
-// Formatted by hand, so that they can be read as tables.
+// The tables are formatted by hand.
 // clang-format off
-// Not constexpr, because mesh_flaws() gives the flaws' names.
+// Not constexpr, because mesh_flaws() is called for the names of the flaws.
 const std::array mesh = {
     field<&Mesh::generator>({.name = "generator",
-              .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
-                         "triangles; delaunay: irregular, from random points; disc: as many concentric "
-                         "rings as cells; tube: the side of a cylinder or cone around z, with as many "
-                         "columns as cells; sphere: an octahedron whose edges are split into cells, inflated",
+              .meaning = "How the mesh is made. grid: squares split into triangles. equilateral: equilateral "
+                         "triangles. delaunay: irregular, from random points. disc: concentric rings; cells "
+                         "is the number of rings. tube: the side of a cylinder or cone around z; cells is "
+                         "the number of columns. sphere: an inflated octahedron whose edges are split into "
+                         "cells parts",
               .choices = generator_names, .read_when = generated}),
     field<&Mesh::file>({.name = "file",
-              .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
-                         "config's folder", .names_file = true}),
+              .meaning = "Mesh file (.obj, .ply, .off, .stl), used instead of a generator. The path is "
+                         "relative to the config's folder", .names_file = true}),
     field<&Mesh::width>({.name = "width", .unit = "m",
               .meaning = "Extent along x",
               .minimum = 0, .above = true,
               .read_when = generated_by<Generator::grid, Generator::equilateral, Generator::delaunay>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::height>({.name = "height", .unit = "m",
-              .meaning = "Extent along y; tube: along z",
+              .meaning = "Extent along y, but for a tube along z",
               .minimum = 0, .above = true,
               .read_when = generated_by<Generator::grid, Generator::equilateral, Generator::delaunay,
                                         Generator::tube>,
@@ -104,82 +105,86 @@ const std::array mesh = {
               .meaning = "Resolution: cells along the width",
               .minimum = 1, .maximum = 4096, .read_when = generated}),
     field<&Mesh::diagonal>({.name = "diagonal",
-              .meaning = "grid: which diagonal splits a square: the same in all, alternating, or both",
+              .meaning = "grid: which diagonal splits a square. same: the same diagonal in all squares; "
+                         "alternating: the diagonal changes from square to square; both: both diagonals",
               .choices = diagonal_names, .read_when = generated_by<Generator::grid>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::rows>({.name = "rows",
               .meaning = "equilateral: direction of the rows of edges, relative to the long side. Absent: "
-                         "along the sides that /pins/vertices names, else parallel",
+                         "parallel to the sides in /pins/vertices, or parallel to the long side if there are "
+                         "none",
               .choices = rows_names, .read_when = generated_by<Generator::equilateral>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::radius>({.name = "radius", .unit = "m",
-              .meaning = "disc, sphere: radius; tube: radius of its lower end",
+              .meaning = "Radius of a disc or sphere, or of the lower end of a tube",
               .minimum = 0, .above = true,
               .read_when = generated_by<Generator::disc, Generator::tube, Generator::sphere>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::radius_top>({.name = "radius_top", .unit = "m",
-              .meaning = "tube: radius of its upper end; absent: as the lower end",
+              .meaning = "Radius of the upper end of a tube. Absent: equal to radius",
               .minimum = 0, .above = true, .read_when = generated_by<Generator::tube>,
               .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::seed>({.name = "seed", .unit = "1",
-              .meaning = "delaunay: seed of the random points; with jitter: seed of the moves",
+              .meaning = "Seed of the random points of delaunay, and of the random moves of jitter",
               .minimum = 0, .maximum = seed_limit, .read_when = makes_at_random, .kept_when = may_seed_mesh}),
     field<&Mesh::refine>({.name = "refine", .unit = "1",
               .meaning = "How many times each triangle is cut into four at the middles of its edges, also in "
-                         "a mesh from a file. Vertices keep their indices, the border keeps its shape, and "
-                         "curved meshes keep their facets; texture coordinates are interpolated. Absent: not "
-                         "refined",
+                         "a mesh from a file. The original vertices keep their indices, and the surface "
+                         "keeps its shape. Texture coordinates are interpolated. Absent: not refined",
               .minimum = 0, .maximum = 12}),
     field<&Mesh::jitter>({.name = "jitter", .unit = "1",
-              .meaning = "Each vertex that is not on the border is moved at random within the sheet, by at "
-                         "most this share of the smallest height of its triangles, also in a mesh from a "
-                         "file. jitter comes after refine; seed chooses the moves. Absent: no moves",
+              .meaning = "Moves each vertex that is not on the border at random within the sheet, by at most "
+                         "this fraction of the smallest height of its triangles, also in a mesh from a file. "
+                         "refine is applied first. seed is the seed of the random moves. Absent: no moves",
               .minimum = 0, .maximum = 0.4}),
     field<&Mesh::scale>({.name = "scale", .unit = "1",
-              .meaning = "Factor on all coordinates, also those of a mesh from a file",
+              .meaning = "Factor for all coordinates, also of a mesh from a file",
               .minimum = 0, .above = true}),
     field<&Mesh::offset>({.name = "offset", .unit = "m",
-              .meaning = "Added to all coordinates after scale, also to those of a mesh from a file"}),
+              .meaning = "Added to all coordinates after scale, also in a mesh from a file"}),
     field<&Mesh::shuffle>({.name = "shuffle", .unit = "1",
               .meaning = "Seed of a random numbering of vertices and triangles; absent: the generator's "
                          "numbering",
               .minimum = 0, .maximum = seed_limit, .read_when = generated}),
     field<&Mesh::flaw>({.name = "flaw",
-              .meaning = "A defect put into the mesh on purpose. needles, caps, degenerate (no area), "
-                         "duplicate_vertices, duplicate_faces, non_manifold_edge (a third triangle at an "
-                         "edge), bow_tie (triangles that share only a point): at about every twentieth "
-                         "place; isolated_vertices: vertices in no triangle; pieces: cut in two; "
-                         "mixed_orientation: every second triangle turned over; hole: a hole in the middle",
+              .meaning = "A defect that is added to the mesh on purpose. needles, caps, degenerate (no "
+                         "area), duplicate_vertices, duplicate_faces, non_manifold_edge (a third triangle at "
+                         "an edge) and bow_tie (triangles that share only a point) are added at about every "
+                         "twentieth vertex, edge or triangle. isolated_vertices: vertices in no triangle. "
+                         "pieces: the mesh is cut in two. mixed_orientation: every second triangle is "
+                         "reversed. hole: a hole in the middle",
               .choices = mesh_flaws(), .read_when = generated}),
     field<&Mesh::bad_triangles>({.name = "bad_triangles",
               .meaning = "What to do with a mesh that has triangles without area, triangles listed twice, or "
-                         "edges of three triangles. refuse: the run fails and names the first bad triangles; "
-                         "regularise: simulate the mesh as it is, with a small rest height for triangles "
-                         "without area; membrane_off: the same, but those triangles have no strain "
-                         "constraint; repair: unite points within 2e-6 of the mesh size, remove triangles "
-                         "without area, cut the sheet where it branches, orient all triangles alike. "
-                         "'bendlab mesh FILE' says what each choice does to a file",
+                         "edges of three triangles. refuse: the run fails and lists the first bad triangles. "
+                         "regularise: the mesh is simulated as it is, with a small rest height for triangles "
+                         "without area. membrane_off: like regularise, but triangles without area have no "
+                         "strain constraint. repair: points within 2e-6 of the mesh size are united, "
+                         "triangles without area are removed, the sheet is cut where it branches, and all "
+                         "triangles are oriented alike. 'bendlab mesh FILE' prints what each choice does to "
+                         "a file",
               .choices = bad_triangles_names}),
 };
 
 constexpr std::array pins = {
       field<&Pinning::vertices>({.name = "vertices",
-                .meaning = "Pinned places by name: corners, sides and centre of the rest mesh's box in the "
-                           "x-y plane; in a sheet that stands, z is up; top_rim and bottom_rim: the ends of "
-                           "a tube; circle: the ring of vertices at a quarter of the smaller side from the "
-                           "centre; interior: four vertices at 0.3 and 0.7 of both sides",
+                .meaning = "Pinned vertices by name: the corners, sides and centre of the rest mesh's box. "
+                           "Left to right is x; bottom to top is y, or z in an upright sheet. top_rim and "
+                           "bottom_rim: the ends of a tube. circle: the vertices on a circle around the "
+                           "centre, whose radius is a quarter of the smaller side. interior: four vertices "
+                           "at 0.3 and 0.7 of width and height",
                 .choices = place_names}),
       field<&Pinning::indices>({.name = "indices", .unit = "1",
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "
-                           "the vertices named in vertices",
+                           "those in vertices",
                 .minimum = 0}),
       field<&Pinning::ring>({.name = "ring", .unit = "1",
-                .meaning = "How many rings of neighbours around each pinned vertex are pinned, too; 0: none. "
-                           "The paper pins one ring, a clamp that shrinks as the mesh is refined",
+                .meaning = "How many rings of neighbours around each pinned vertex are pinned, too. The "
+                           "paper pins one ring; such a clamp becomes smaller if the mesh is refined",
                 .minimum = 0, .maximum = 64}),
       field<&Pinning::distance>({.name = "distance", .unit = "m",
-                .meaning = "Vertices within this distance of a pinned place are pinned too: a clamp of the "
-                           "same width at every resolution",
+                .meaning = "Vertices within this distance of a vertex that vertices or indices list are "
+                           "pinned, too. Such a clamp has the same width at every resolution",
                 .minimum = 0}),
 };
 
@@ -188,31 +193,33 @@ constexpr std::array material = {
               .meaning = "Mass per area",
               .minimum = 0, .above = true}),
     field<&Material::density_ratio>({.name = "density_ratio", .unit = "1",
-              .meaning = "Factor on density in the half of the rest box with the larger x",
+              .meaning = "Factor for the density in the half of the cloth with the larger x",
               .minimum = 0, .above = true}),
     field<&Material::coordinates>({.name = "coordinates",
-              .meaning = "Where warp and weft run. warp: warp_direction, projected into each triangle's "
-                         "plane; texture: along the mesh file's texture coordinates",
+              .meaning = "Directions of warp and weft. warp: the warp is warp_direction, projected into the "
+                         "plane of each triangle. texture: warp and weft follow the texture coordinates of "
+                         "the mesh file",
               .choices = material_coordinates_names}),
     field<&Material::warp_direction>({.name = "warp_direction", .unit = "1",
-              .meaning = "Direction of the warp threads in the rest shape, of any length but zero; for a "
-                         "tube, 0, 0, 1 is along its axis"}),
+              .meaning = "Direction of the warp threads in the rest shape; any length above 0. For a tube, "
+                         "0, 0, 1 is the direction of the axis"}),
 };
 
 constexpr std::array strain = {
     field<&Strain::form>({.name = "form",
-              .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the "
-                         "entries of S themselves; angle (ours): stretch as in normalised, and as shear the "
-                         "difference of the angle between warp and weft from a right angle. The gradient of "
-                         "normalised shear vanishes as warp and weft become parallel, so that a projection "
-                         "moves a strongly sheared triangle by many times its size; angle does not do that",
+              .meaning = "How strain is measured, with S = FᵀF. normalised: stretch √S_ii - 1 and normalised "
+                         "shear, as published. green: S_ii - 1 and S_ij. angle (ours): stretch as in "
+                         "normalised; shear is the difference between a right angle and the angle between "
+                         "warp and weft. Where warp and weft are nearly parallel, the gradient of normalised "
+                         "shear is nearly 0, and a projection moves a triangle by many times its size. angle "
+                         "does not have this problem",
               .choices = strain_form_names, .read_when = has_triangles}),
     field<&Strain::stiffness>({.name = "stiffness",
               .meaning = stiffness_meaning, .choices = stiffness_names}),
     field<&Strain::membrane_stiffness>({.name = "membrane_stiffness", .unit = "N/m",
-              .meaning = "physical: Young's modulus times thickness, the force per width that stretches warp "
-                         "or weft, or shears, by 1. At 10000 N/m a sheet of 1 m and 0.2 kg/m² strains by "
-                         "10⁻⁴ under its weight",
+              .meaning = "Used if stiffness is physical: Young's modulus times thickness, which is the force "
+                         "per width for a strain or shear of 1. With 10000 N/m, a sheet of 1 m and 0.2 kg/m² "
+                         "has a strain of 10⁻⁴ under its weight",
               .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
               .depends_on = on_strain_stiffness}),
     field<&Strain::warp>({.name = "warp", .unit = "1",
@@ -242,31 +249,33 @@ constexpr std::array bending = {
                 .kept_when = may_bend_by_k, .depends_on = on_bending_stiffness}),
       field<&Bending::compliance>({.name = "compliance", .unit = "m/N or 1/(N m)",
                 .meaning = "Inverse stiffness, used if stiffness is compliance; 0 is rigid. `bendlab models` "
-                           "says what it means for each model",
+                           "prints what the compliance means for each model",
                 .minimum = 0, .read_when = bends_by<Stiffness::compliance>, .kept_when = bends_by_number,
                 .depends_on = on_bending_stiffness}),
       field<&Bending::flexural_rigidity>({.name = "flexural_rigidity", .unit = "N m",
-                .meaning = "physical: B of the moment B κ per width at curvature κ; springs have this B only "
-                           "at the curvature at_curvature. Not used if only quartic_coefficient is given",
+                .meaning = "Used if stiffness is physical: B, where the moment per width at the curvature κ "
+                           "is B κ. Springs have this B only at the curvature at_curvature. Not used if only "
+                           "quartic_coefficient is given",
                 .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
                 .depends_on = on_bending_stiffness}),
       field<&Bending::quartic_coefficient>({.name = "quartic_coefficient", .unit = "N m³",
-                .meaning = "physical: C of the moment C κ³ per width at curvature κ, for models made of "
-                           "springs",
+                .meaning = "Used if stiffness is physical, for models made of springs: C, where the moment "
+                           "per width at the curvature κ is C κ³",
                 .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
                 .depends_on = on_bending_stiffness}),
       field<&Bending::at_curvature>({.name = "at_curvature", .unit = "1/m",
-                .meaning = "physical: the curvature κ0 at which springs have the moment that "
-                           "flexural_rigidity states, C = B/κ0²; 20 is a fold of 5 cm radius",
+                .meaning = "Used if stiffness is physical: the curvature κ0 at which springs have the moment "
+                           "B κ0, so C = B/κ0². 20 is a fold of 5 cm radius",
                 .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
                 .kept_when = needs_curvature, .depends_on = on_bending_stiffness}),
       field<&Bending::deflection>({.name = "deflection",
-                .meaning = "physical, models made of hinges: for which deflections flexural_rigidity holds. "
-                           "large: the membrane forces the sheet to a cylinder, as in drapes and folds; "
-                           "small: the sheet is bent so little that its membrane does not matter; both: "
-                           "between the two, with hinge weights that make them differ as little as the mesh "
-                           "allows. The summary says which share of flexural_rigidity the sheet has at small "
-                           "and at large deflections",
+                .meaning = "Used if stiffness is physical, for models made of hinges: at which deflections "
+                           "the sheet has flexural_rigidity. large: when the membrane forces the sheet into "
+                           "a cylinder, as in drapes and folds. small: when the sheet is bent so little that "
+                           "the membrane has no influence. both: a compromise, with hinge weights for which "
+                           "the rigidities at small and large deflections differ as little as possible. The "
+                           "summary of a run contains the fraction of flexural_rigidity at small and at "
+                           "large deflections",
                 .choices = deflection_names, .read_when = is_of_hinges}),
 };
 
@@ -275,53 +284,54 @@ constexpr std::array solver = {
               .meaning = "Time step",
               .minimum = 1e-9, .maximum = 1e6}),
     field<&Solver::substeps>({.name = "substeps", .unit = "1",
-              .meaning = "How many equal parts a time step is divided into. Absent: the method's own "
-                         "number, see `bendlab methods`",
+              .meaning = "How many equal parts a time step is divided into. Absent: the default of the "
+                         "method, see `bendlab methods`",
               .minimum = 1, .maximum = 100000, .read_when = counts_substeps}),
     field<&Solver::iterations>({.name = "iterations", .unit = "1",
-              .meaning = "How many times each substep visits all constraints. Absent: the method's own "
-                         "number, see `bendlab methods`",
+              .meaning = "How many times each substep visits all constraints. Absent: the default of the "
+                         "method, see `bendlab methods`",
               .minimum = 1, .maximum = 100000, .read_when = counts_iterations}),
     field<&Solver::precision>({.name = "precision",
-              .meaning = "Precision of the solver's numbers. auto: single, but double in two cases. First, "
-                         "an effect moves vertices itself (an obstacle, tethers, …), and the speed g h that "
-                         "gravity adds in a substep h is too small for single precision, compared with the "
-                         "rounding of a position divided by h. Second, quasi_newton has a membrane whose "
-                         "strain under its weight is hidden by the rounding of positions. The run's "
-                         "provenance says which precision was used",
+              .meaning = "Precision of the solver's numbers. auto: single precision, but double in two "
+                         "cases. First, an effect moves vertices directly (an obstacle, tethers, …), and a "
+                         "substep is so short that the speed which gravity adds is small compared with "
+                         "rounding errors. Second, quasi_newton simulates a membrane whose strain under the "
+                         "cloth's weight is smaller than rounding errors. The provenance of a run contains "
+                         "the precision that was used",
               .choices = chosen_precision_names, .read_when = has_precisions}),
     field<&Solver::threads>({.name = "threads", .unit = "1",
-              .meaning = "Threads of one run; the number of threads does not change a bit of the result",
+              .meaning = "Number of threads of a run. The result is exactly the same for any number of "
+                         "threads",
               .minimum = 1, .maximum = 256}),
 };
 
 constexpr std::array initial = {
     field<&Initial::folds>({.name = "folds", .unit = "1",
-              .meaning = "How many times the sheet starts folded, to and fro along x, into layers one above "
-                         "the other; its rest shape does not change",
+              .meaning = "How many times the sheet is folded at the start, back and forth along x, into "
+                         "layers above each other. The rest shape is not folded",
               .minimum = 0, .maximum = 64}),
     field<&Initial::fold_gap>({.name = "fold_gap", .unit = "m",
               .meaning = "Distance between the layers of the folded sheet",
               .minimum = 0, .above = true}),
     field<&Initial::creases>({.name = "creases", .unit = "1",
-              .meaning = "How many sharp folds of 180 degrees the sheet starts with, which lay equal columns "
-                         "along x flat on top of each other",
+              .meaning = "Number of sharp folds of 180 degrees at the start. The folds divide the sheet "
+                         "along x into equal strips that lie flat on top of each other",
               .minimum = 0, .maximum = 4096}),
     field<&Initial::scale>({.name = "scale", .unit = "1",
-              .meaning = "Factors along x, y and z on the start positions of the free vertices, relative to "
-                         "the mean of the pins (without pins: to the centre): 0, 0, 0 is a point, 1, 0, 0 a "
-                         "line, -1, 1, 1 a mirror image"}),
+              .meaning = "Factors along x, y and z for the start positions of the free vertices, relative to "
+                         "the mean of the pins or, without pins, to the centre. For example, 0, 0, 0 gives a "
+                         "point, 1, 0, 0 a line, and -1, 1, 1 a mirror image"}),
     field<&Initial::tilt>({.name = "tilt", .unit = "degrees",
-              .meaning = "Rotation of the sheet at the start about the x axis through its centre; 0 is "
-                         "horizontal (gravity is along -z), 90 upright",
+              .meaning = "Rotation of the sheet at the start, about the x axis through the centre of the "
+                         "sheet. 0 is horizontal (gravity acts along -z), 90 is upright",
               .minimum = -180, .maximum = 180}),
     field<&Initial::perturbation>({.name = "perturbation", .unit = "1",
               .meaning = "Largest random displacement of a free vertex along each axis at the start, "
                          "relative to the mesh's size",
               .minimum = 0, .maximum = 1}),
     field<&Initial::random>({.name = "random", .unit = "1",
-              .meaning = "Above 0: every free vertex starts at a random place in a box around the centre, "
-                         "which is this many times the mesh's size wide",
+              .meaning = "If above 0, every free vertex starts at a random position in a cube around the "
+                         "centre. The side of the cube is this number times the mesh's size",
               .minimum = 0}),
     field<&Initial::velocity>({.name = "velocity", .unit = "m/s",
               .meaning = "Velocity of all free vertices at the start"}),
@@ -331,16 +341,16 @@ constexpr std::array initial = {
               .meaning = "Seed of perturbation and random",
               .minimum = 0, .maximum = seed_limit, .read_when = starts_at_random, .kept_when = always}),
     field<&Initial::after>({.name = "after",
-              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into an earlier run; the "
-                         "cloth starts at rest where the earlier run ends. The earlier run may have a "
-                         "coarser mesh of the same flat sheet, for example, or another method. It is not "
-                         "recorded"}),
+              .meaning = "The cloth starts at rest where an earlier run ends. The earlier run has the "
+                         "settings of this run with these changes, each of the form \"/json/pointer=value\". "
+                         "The earlier run may have another method, for example, or a coarser mesh of the "
+                         "same flat sheet. The earlier run is not recorded"}),
 };
 
 constexpr std::array top = {
     field<&Scene::duration>({.name = "duration", .unit = "s",
-              .meaning = "Simulated time of each run, at least one step. It is rounded up to whole steps of "
-                         "/solver/dt",
+              .meaning = "Simulated time of a run, at least one step. The time is rounded up to whole steps "
+                         "of /solver/dt",
               .minimum = 0, .above = true}),
 };
 // clang-format on
@@ -352,7 +362,7 @@ std::vector<std::string_view> names_of(std::span<const Kind* const> kinds) {
   return names;
 }
 
-// The row of a setting that chooses a member of a family.
+// The row of a setting that chooses a model, method or effect.
 SettingRow choice_row(std::string_view name, std::string_view meaning,
                       std::span<const std::string_view> names, std::optional<std::string_view> usual) {
   Field row{{.name = name, .meaning = meaning, .required = !usual, .choices = names}};
@@ -374,8 +384,8 @@ std::string meaning_of_method() {
   std::string text = "How a time step moves the cloth.";
   for (const MethodKind* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
   return text +
-         " A setting that a method does not read changes nothing, and a warning says so: see "
-         "`bendlab methods`";
+         " `bendlab methods` lists the settings that each method reads. Other settings have no effect, and "
+         "the run gets a warning";
 }
 
 SettingRow method_row() {
@@ -384,7 +394,7 @@ SettingRow method_row() {
 }
 
 SettingRow model_row() {
-  return choice_row("model", "Bending model; its own settings are in the section of its name",
+  return choice_row("model", "Bending model. The settings of a model are in the section /bending/<model>",
                     made_of_kinds<model_names>(), Bending{}.model.name());
 }
 
@@ -400,8 +410,7 @@ Section section_of(std::string pointer, std::string meaning, const FieldTable& t
   return section;
 }
 
-// The section of a model's own settings stands in /bending beside the settings that all models share, so its
-// name must differ from theirs.
+// A model's section is /bending/<model>, so a model must not have the name of another setting in /bending.
 void check_names_of_added_models() {
   for (const BendingKind* model : added_bending_models())
     if (std::ranges::find(bending, model->name, &Field::name) != bending.end() || model->name == "model")

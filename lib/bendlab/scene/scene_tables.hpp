@@ -1,5 +1,4 @@
-// The tables of all settings of a scene. Their rows parse configs, write configs, and print the reference of
-// settings.
+// Tables of all settings of a scene, used to read configs, to write configs and to print the reference.
 #pragma once
 
 #include <span>
@@ -11,44 +10,44 @@
 
 namespace bendlab {
 
-/// A struct of the scene: its pointer in a config, its meaning, and its rows.
+/// A struct of the scene: pointer in a config, meaning, and table of settings.
 struct Part {
   std::string_view pointer, meaning;
   FieldTable table;
   const void* (*in)(const Scene& scene);  ///< the struct in a scene
 };
 
-/// "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver" and "/initial". The tables do not
-/// hold the settings that choose a bending model or a method, nor the own settings of models and methods.
+/// "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver" and "/initial". The tables leave
+/// out the settings that choose a bending model or a method, and the settings of models and methods.
 std::span<const Part> scene_parts();
 
 /// The scene's own settings: "/duration".
 const FieldTable& scene_table();
 
-/// A row of the reference: a setting and its default.
+/// A row of the printed reference: a setting and the default.
 struct SettingRow {
   Field field;
   Value usual;  ///< `std::monostate`: no default
 };
 
-/// A JSON object of a config, with all settings that it may have.
+/// A JSON object of a config, with all settings that are allowed in that object.
 struct Section {
   std::string pointer;  ///< "" for the top level, "/mesh", "/material/strain", …
   std::string meaning;
   std::vector<SettingRow> rows;
 };
 
-/// The sections of a scene, parents before children, in the order of the reference: the parts, with settings
-/// of methods in "/solver", and "/bending/<model>" for each registered bending model that has settings.
+/// All sections in the order of the printed reference, parents before children: the parts of the scene, and
+/// "/bending/<model>" for each registered model with settings. "/solver" has the settings of all methods.
 std::span<const Section> scene_sections();
 
-/// The `type` of an entry of `effects`; its other settings are the effect's own.
+/// The setting `type` of an entry of `effects`; the other settings depend on the type.
 const SettingRow& effect_type_row();
 
-/// The choices of the setting `field.depends_on` with which a scene reads the setting `field`.
+/// The values of the setting `field.depends_on` for which a scene reads the setting `field`.
 std::vector<std::string_view> choices_that_read(const Field& field);
 
-/// The rows of a table with their defaults.
+/// The rows of a table with the default of each setting.
 std::vector<SettingRow> rows_of(const FieldTable& table);
 
 }  // namespace bendlab

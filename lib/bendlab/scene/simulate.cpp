@@ -16,8 +16,8 @@ void Cloth::step() {
   if (simulation_->step()) return;
   const Divergence& where = simulation_->divergence();
   throw std::runtime_error(
-      fmt::format("the cloth diverged at t = {:.6g} s, first at vertex {}: take more "
-                  "substeps, or another method",
+      fmt::format("the cloth diverged at t = {:.6g} s, first at vertex {}: use more substeps, or another "
+                  "method",
                   where.time, where.vertex));
 }
 

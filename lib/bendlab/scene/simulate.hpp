@@ -1,4 +1,4 @@
-// A scene in motion, from a few lines of C++.
+// Simulates a scene with a few lines of C++.
 #pragma once
 
 #include <memory>
@@ -8,14 +8,14 @@
 
 namespace bendlab {
 
-/// A cloth that moves: a built scene and its simulation. May be moved, not copied.
+/// A cloth in motion: a built scene and a simulation. An object can be moved, but not copied.
 class Cloth {
  public:
   explicit Cloth(BuiltScene scene);
 
-  /// One time step Solver::dt. Throws std::runtime_error if the cloth diverged, with where and when.
+  /// One time step Solver::dt. Throws std::runtime_error with the time and a vertex if the cloth diverged.
   void step();
-  /// Steps until that many seconds are over, or further steps would change nothing.
+  /// Makes steps until `seconds` have passed, or until further steps would not change anything.
   void run(double seconds);
 
   double time() const { return simulation_->time(); }                      ///< s
@@ -26,13 +26,13 @@ class Cloth {
   Simulation& simulation() { return *simulation_; }
 
  private:
-  std::unique_ptr<BuiltScene> scene_;  // on the heap, because the simulation may refer to it
+  std::unique_ptr<BuiltScene> scene_;  // on the heap, because the simulation may keep a reference
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// Builds a scene and starts it: defaults that depend on other settings are filled in, and Initial::after is
-/// simulated. Throws ConfigError with everything that is wrong (values out of range, unread settings,
-/// settings that contradict each other), and what build_scene() throws.
+/// Builds a scene, sets defaults that depend on other settings, and simulates the earlier scene of
+/// Initial::after. Throws ConfigError with all problems (values out of range, unread settings, settings that
+/// contradict each other), and what build_scene() throws.
 Cloth simulate(Scene scene);
 
 }  // namespace bendlab

@@ -27,7 +27,7 @@ Positions end_of(const Scene& scene, const BuiltScene& built, const std::atomic<
   return simulation->positions();
 }
 
-// Puts "/json/pointer=value" into the settings; a value that is not JSON is read as a text.
+// Applies a change "/json/pointer=value" to the settings. A value that is not JSON is used as a text.
 void change(Json& settings, const std::string& text, ConfigProblems& problems) try {
   const std::size_t equals = text.find('=');
   const std::string place = text.substr(0, equals);
@@ -38,9 +38,9 @@ void change(Json& settings, const std::string& text, ConfigProblems& problems) t
   ConfigProblems no_json;
   const std::optional<Json> value = read_strict_json(text.substr(equals + 1), no_json);
   if (!set_at(settings, place, no_json.empty() && value ? *value : Json(text.substr(equals + 1))))
-    problems.push_back({place, "the scene has no such setting"});
+    problems.push_back({place, "the scene has no setting at this pointer"});
 } catch (const Json::parse_error&) {
-  problems.push_back({"", fmt::format("'{}': the part before '=' is not a JSON pointer", text)});
+  problems.push_back({"", fmt::format("'{}': the text before '=' is not a JSON pointer", text)});
 }
 
 }  // namespace

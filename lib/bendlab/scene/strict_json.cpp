@@ -13,13 +13,12 @@ namespace bendlab {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;  // a config needs 5; dump() recurses and would overflow the stack
-constexpr std::size_t most_keys = 1000;  // of an object: all settings have 200; a key is looked up linearly
+constexpr std::size_t most_keys = 1000;  // in an object; there are 200 settings; keys are searched linearly
 
 std::string error_text(std::string_view source, const ConfigProblems& problems) {
   constexpr std::size_t most_listed = 100;
   std::string text = fmt::format("{}: {}", source, counted(problems.size(), "problem"));
-  // std::views would be shorter, but clang 14, which builds the fuzzers on Debian 12, cannot compile
-  // libstdc++'s version.
+  // Not std::views: clang 14, which builds the fuzzers on Debian 12, cannot compile libstdc++'s std::views.
   for (const ConfigProblem& problem : std::span(problems).first(std::min(most_listed, problems.size())))
     text +=
         fmt::format("\n  {}: {}", problem.pointer.empty() ? "(top level)" : problem.pointer, problem.message);
@@ -27,7 +26,7 @@ std::string error_text(std::string_view source, const ConfigProblems& problems) 
   return text;
 }
 
-// "line 3, column 7" of the byte at `offset`; columns count characters, not bytes.
+// The position of the byte at `offset`, such as "line 3, column 7". Columns count characters, not bytes.
 std::string place_text(std::string_view text, std::size_t offset) {
   const std::string_view before = text.substr(0, std::min(offset, text.size()));
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -37,14 +36,13 @@ std::string place_text(std::string_view text, std::size_t offset) {
   return fmt::format("line {}, column {}", line, column);
 }
 
-// nlohmann's own text without its error number and its way of naming the place.
+// The error text of the library nlohmann::json, without error number and position.
 std::string syntax_text(std::string_view what) {
   const std::size_t start = what.find("syntax error");
   return std::string(start == std::string_view::npos ? what.substr(what.find(']') + 2) : what.substr(start));
 }
 
-// Builds the document event by event, because nlohmann's own builder lets the last of duplicate keys win and
-// has no limit on depth.
+// Builds the document, because nlohmann::json itself accepts duplicate keys and any depth of nesting.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
   DocumentBuilder(std::string_view text, ConfigProblems& problems) : text_(text), problems_(problems) {}
@@ -69,14 +67,14 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     if (++level.keys > most_keys) {
       problems_.push_back(
           {pointer(levels_.size() - 1),
-           fmt::format("has more than {} keys, the most that an object may have", most_keys)});
+           fmt::format("has more than {} keys, the most that are allowed: remove keys", most_keys)});
       return false;
     }
     level.key = name;
     level.duplicate = level.container->contains(name);
     if (level.duplicate)
       problems_.push_back({child_pointer(pointer(levels_.size() - 1), name),
-                           "the object has this key twice; keep one of the two"});
+                           "the object has this key twice; remove one of the entries"});
     return true;
   }
 
@@ -98,12 +96,12 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
  private:
   struct Level {
     Json* container;
-    std::string key;         // of the next value, in an object
-    bool duplicate = false;  // that value is read and dropped
+    std::string key;         // key of the next value, in an object
+    bool duplicate = false;  // the value is read, but not used
     std::size_t keys = 0;    // so far
   };
 
-  // Pointer to the open or next value in levels_[depth - 1] (depth 0: the document itself).
+  // Pointer to the value being read in the object or list levels_[depth - 1]; depth 0 is the document.
   std::string pointer(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {
@@ -181,11 +179,12 @@ ConfigError::ConfigError(std::string_view source, ConfigProblems problems)
 
 std::optional<Json> read_strict_json(std::string_view text, ConfigProblems& problems) {
   if (text.starts_with("\xEF\xBB\xBF")) {
-    problems.push_back({"", "line 1, column 1: starts with a byte order mark; save it as UTF-8 without one"});
+    problems.push_back(
+        {"", "line 1, column 1: has a byte order mark; save the file as UTF-8 without this mark"});
     return std::nullopt;
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    problems.push_back({"", "is empty; a config is a JSON object with at least a \"name\""});
+    problems.push_back({"", "is empty, but a config must be a JSON object with at least a \"name\""});
     return std::nullopt;
   }
   DocumentBuilder builder(text, problems);

@@ -1,5 +1,4 @@
-// Strict JSON, and the report of everything that is wrong with a config: all problems at once, each with its
-// place.
+// Reads strict JSON, and collects all problems of a config with their positions.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,15 +14,15 @@ using Json = nlohmann::ordered_json;
 
 /// A mistake in a config.
 struct ConfigProblem {
-  std::string pointer;  ///< JSON pointer to the offending value; "" is the config as a whole
-  std::string message;  ///< what is wrong, what is allowed, the nearest name
+  std::string pointer;  ///< JSON pointer to the wrong value; "" is the config as a whole
+  std::string message;  ///< what is wrong, what is allowed, perhaps a similar name
 
   bool operator==(const ConfigProblem&) const = default;
 };
 
 using ConfigProblems = std::vector<ConfigProblem>;
 
-/// Pointer to `key` of the object (or entry of the list) at `parent`, escaped.
+/// The JSON pointer to the key or list index `key` of the value at `parent`; escapes special characters.
 std::string child_pointer(std::string_view parent, std::string_view key);
 
 /// A JSON value as a text that is short enough for an error message.
@@ -39,13 +38,14 @@ class ConfigError : public std::runtime_error {
   ConfigProblems problems_;
 };
 
-/// Reads JSON that must be UTF-8 without byte order mark, without duplicate keys, comments, non-finite
-/// numbers or text after its end, and nested at most 64 deep. Appends what is wrong to `problems`. Text that
-/// is not JSON is reported with line and column, and there is no document. A duplicate key is reported with
-/// its pointer; its first value counts, so that the rest can be checked, too.
+/// Reads JSON with strict rules: UTF-8 without byte order mark, no duplicate keys, no comments, only finite
+/// numbers, no text after the document, and at most 64 levels of nesting. Appends all problems. If the text
+/// is not JSON, the problem contains line and column, and nothing is returned. For a duplicate key, the
+/// problem contains the pointer, and the first value is used, so that the rest of the document can be
+/// checked.
 std::optional<Json> read_strict_json(std::string_view text, ConfigProblems& problems);
 
-/// The same for a caller that checks nothing else. Throws ConfigError.
+/// Like read_strict_json(), but throws ConfigError if there is a problem.
 Json parse_strict_json(std::string_view text, std::string_view source_name);
 
 }  // namespace bendlab

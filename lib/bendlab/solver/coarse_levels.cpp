@@ -15,23 +15,25 @@
 namespace bendlab {
 namespace {
 
-// The least distance of the finest level's points, in mean edges of the mesh; it doubles from level to level.
-// It is less than two sides of a square, because the diagonals of squares count as edges, too.
+// The least distance between points of the finest coarse level, in mean edges of the mesh. Each coarser level
+// doubles the distance. On a mesh of squares 1.7 mean edges are just below two sides, because a mean edge is
+// longer than a side: diagonals are edges, too.
 constexpr double level_edges = 1.7;
-constexpr double longest_span = 1.6;  // in least distances of points: joins the diagonals of a square
+constexpr double longest_span = 1.6;  // in least distances between points: joins diagonals of squares
 constexpr int fewest_points = 6;
 constexpr int coarsest_sweeps = 8;  // a sweep over the coarsest level costs next to nothing
-// Spans and triangles resist together. Spans are this much softer, so that they add little where the
-// triangles converge.
+// The compliance of a span as a multiple of the membrane's compliance. Spans add to the stiffness of the
+// triangles; soft spans add little where the projections of the triangles converge.
 constexpr double span_softness = 64;
 constexpr std::size_t worthwhile_lanes = 2048, worthwhile_points = 16384;  // about 10 µs of one thread
 
-// Spans resist stretch in every direction, so the membrane must do so, too.
+// Spans resist stretch in every direction, so the membrane has to resist stretch in every direction, too.
 void expect_all_directions(const StrainStiffness& strain) {
   if (strain.warp > 0 && strain.weft > 0 && strain.shear > 0) return;
   throw std::invalid_argument(
-      "levels need a membrane that resists warp, weft and shear, because coarse spans resist in every "
-      "direction. Set /solver/levels to 0, or warp, weft and shear in /material/strain above 0");
+      "/solver/levels needs a membrane that resists warp, weft and shear, because coarse levels resist "
+      "stretch in every direction. Set /solver/levels to 0, or warp, weft and shear in /material/strain "
+      "above 0");
 }
 
 }  // namespace
@@ -68,9 +70,9 @@ struct CoarseLevels<Real>::Builder {
     return input.permutation.empty() ? v : input.permutation[static_cast<std::size_t>(v)];
   }
 
-  // Points at least `apart` from each other, such that no vertex is farther than `apart` from the nearest
-  // point. Pinned vertices are chosen first, because the cloth that hangs from a pin needs its position.
-  // `at`: the point at each vertex, or -1.
+  // Points that are at least `apart` (m) from each other. Every vertex has a point within this distance.
+  // Pinned vertices are chosen first, because the cloth that hangs from a pin needs the pin's position. `at`:
+  // for each vertex, the index of the point at the vertex, or -1.
   struct Sample {
     std::vector<int> points, at;
     DistanceConstraints spans;
@@ -114,7 +116,7 @@ struct CoarseLevels<Real>::Builder {
     Level level;
     const auto count = sample.points.size();
     level.base.resize(count + dummy_points), level.moved = level.taken = level.base;
-    // Hats spread masses as they spread moves, so that moves keep momentum.
+    // Hats spread masses with the same shares as moves, so that moves keep momentum.
     std::vector<double> mass(count);
     for (std::size_t p = 0; p < finer.size(); ++p)
       if (is_free(finer[p]))

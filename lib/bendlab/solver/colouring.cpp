@@ -12,15 +12,15 @@
 namespace bendlab {
 namespace {
 
-// The colours that each vertex has used, as bits. All vertices have room for the same number of colours.
+// The colours of the constraints at each vertex, a bit per colour. All vertices have equally many bits.
 class UsedColours {
  public:
   UsedColours(int vertex_count, int colours)
       : words_(static_cast<std::size_t>(colours / 64 + 1)),
         bits_(static_cast<std::size_t>(vertex_count) * words_, 0) {}
 
-  // Returns the first colour that none of the vertices has used, and marks it as used by all of them. -1:
-  // there is no room for another colour.
+  // Returns the first colour that none of the vertices has used, and marks this colour as used at all the
+  // vertices. Returns -1 if no bit is left for another colour.
   int take_first_free(std::span<const int> vertices) {
     for (std::size_t word = 0; word < words_; ++word) {
       std::uint64_t used = 0;
@@ -33,7 +33,7 @@ class UsedColours {
     return -1;
   }
 
-  // Makes room for twice as many colours.
+  // Doubles the number of bits.
   void make_room() {
     std::vector<std::uint64_t> wider(2 * bits_.size(), 0);
     for (std::size_t row = 0; row * words_ < bits_.size(); ++row)
@@ -56,24 +56,26 @@ int largest_degree(std::span<const int> vertices, int vertex_count) {
   return degree.empty() ? 0 : *std::max_element(degree.begin(), degree.end());
 }
 
-// The most springs of a star. Longer stars save more memory traffic (a fifth of the time with 30 springs) but
-// converge worse, because a centre that moves thirty times in a row leaves its neighbours behind: with m = 4
-// of the adaptive model (springs to four rings), the sheet's mean strain after equally many iterations is 3
-// to 4 times larger. With four springs, convergence is as good as with single springs.
+// The largest number of springs in a star (springs with a common vertex, the centre). Longer stars move less
+// memory: 30 springs save a fifth of the time. But longer stars converge worse, because a centre that moves
+// 30 times in a row leaves its neighbours behind. For example, with m = 4 of the adaptive model (springs to
+// four rings), 30 springs make the sheet's mean strain after equally many iterations 3 to 4 times larger.
+// Stars of four springs converge as well as single springs.
 constexpr std::size_t star_length = 4;
 
 std::size_t padded(std::size_t count) {
   return (count + group_size - 1) / group_size * group_size;
 }
 
-// Makes each group of lanes a stack: [0, 16), [16, 32), …
+// Makes each group of 16 lanes a stack: [0, 16), [16, 32), … (batches.hpp explains lanes, groups and stacks.)
 void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
   for (std::size_t lane = 0; lane <= order.first.size(); lane += group_size) order.stacks.push_back(lane);
   for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / group_size);
 }
 
-// Pairs as stars: up to star_length pairs with the same first vertex, the centre. Stars are numbered centre
-// by centre. The first star of a centre has the centre's last pairs in the list.
+// Pairs grouped into stars: up to star_length pairs with the same first vertex, the centre. The stars of a
+// centre have consecutive numbers. The first of these stars has the last of the centre's pairs. The place of
+// a pair is its index after sorting by centre.
 class Stars {
  public:
   Stars(const PairList& pairs, int vertex_count)
@@ -92,7 +94,7 @@ class Stars {
 
   std::size_t size() const { return first_star_.back(); }
 
-  // Calls visit(star, centre, place of its first pair, length) for every star, centre by centre.
+  // Calls visit(star, centre, place of its first pair, number of pairs) for every star, centre by centre.
   template <class Visit>
   void for_each(Visit visit) const {
     for (std::size_t centre = 0; centre < vertices_; ++centre)
@@ -100,7 +102,7 @@ class Stars {
         visit_star(visit, centre, rank);
   }
 
-  // The same in another order: the first star of every centre, then the second star of every centre, …
+  // Like for_each(), but visits the first star of every centre, then the second star of every centre, …
   template <class Visit>
   void for_each_by_rank(Visit visit) const {
     for (std::size_t rank = 0; rank < most_; ++rank)
@@ -108,12 +110,12 @@ class Stars {
         if (first_star_[centre] + rank < first_star_[centre + 1]) visit_star(visit, centre, rank);
   }
 
-  // The far vertex of the pair at that place.
+  // The second vertex of the pair at `place`.
   int far_end(std::size_t place) const {
     return pairs_.second(at_place_.empty() ? place : static_cast<std::size_t>(at_place_[place]));
   }
 
-  // The index in the list of the pair at each place; empty if place and index are equal.
+  // For each place, the pair's index in the list; empty if the list is sorted by centre.
   std::vector<int> take_places() { return std::move(at_place_); }
 
  private:
@@ -126,7 +128,7 @@ class Stars {
           std::min(star_length, pairs_at(centre) - done));
   }
 
-  // Fills at_place_: the pairs centre by centre, and in list order within a centre.
+  // Fills at_place_ with the indices of pairs, sorted by centre. The pairs of a centre keep their list order.
   void group() {
     at_place_.resize(pairs_.size());
     std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
@@ -160,8 +162,7 @@ std::vector<int> coloured(const Stars& stars, int vertex_count) {
   return colours;
 }
 
-// Where each colour begins if constraints are numbered colour by colour, with each colour padded to whole
-// groups; then the total count.
+// The first lane of each colour if each colour fills whole groups, then the number of lanes.
 std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
   std::vector<std::size_t> sizes;
   for (const int colour : colours) {
@@ -174,8 +175,8 @@ std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
 }
 
 // Sorts the stars [begin, end) of a colour by length, so that stars of equal length share a stack without
-// padding. It sorts within neighbourhoods only: a stack that spans the mesh could not be tiled. Stars of
-// equal length stay in the order of their centres. Stars without pairs, which fill the last stack, stay its
+// padding. Sorts only within neighbourhoods, because tiles (tiling.hpp) need stacks whose stars are close
+// together. Stars of equal length keep their order. Stars without pairs, which fill the last stack, stay
 // last.
 void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::size_t end) {
   constexpr std::size_t neighbourhood =
@@ -194,8 +195,7 @@ void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::si
 }  // namespace
 
 BatchOrder colour_order(std::span<const int> vertices, std::size_t arity, int vertex_count) {
-  // When a constraint's colour is chosen, its corners together have used at most arity · (degree - 1)
-  // colours.
+  // The other constraints at the corners of a constraint have at most arity · (degree - 1) colours.
   UsedColours used(vertex_count, static_cast<int>(arity) * largest_degree(vertices, vertex_count));
   std::vector<int> colours(arity == 0 ? 0 : vertices.size() / arity);
   for (std::size_t c = 0; c < colours.size(); ++c)
@@ -224,7 +224,7 @@ BatchOrder star_order(const PairList& pairs, int vertex_count) {
   for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour)
     sort_by_length_where_they_are(order, colour_begin[colour], colour_begin[colour + 1]);
   for (const std::size_t lane : colour_begin) order.colours.push_back(lane / group_size);
-  // A stack is as long as its first star, which is its longest.
+  // The first star of a stack is the longest, so its length is the length of the stack.
   order.stacks.reserve(order.first.size() / group_size + 1);
   order.stacks.push_back(0);
   for (std::size_t at = 0; at < order.first.size(); at += group_size)

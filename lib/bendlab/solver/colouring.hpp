@@ -1,4 +1,5 @@
-// The order in which constraints are projected.
+// The order in which constraints are projected. Constraints of a group are projected at the same time, one in
+// each SIMD lane (batches.hpp).
 #pragma once
 
 #include <array>
@@ -9,10 +10,10 @@
 
 namespace bendlab {
 
-/// Greedy first-fit colouring in list order. No two constraints of a colour share a vertex, so they may be
-/// projected side by side with the same result for any lane width and number of threads. Constraints keep
-/// their list order within a colour (neighbours stay neighbours in memory). Every colour is padded to
-/// max_lanes. `vertices`: #C by arity.
+/// Greedy first-fit colouring in list order. No two constraints of a colour share a vertex, so the result
+/// does not depend on the number of lanes and threads. Within a colour, constraints keep their list order, so
+/// neighbours in the list are neighbours in memory. Every colour is padded to a multiple of max_lanes.
+/// `vertices`: #C by arity.
 BatchOrder colour_order(std::span<const int> vertices, std::size_t arity, int vertex_count);
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
@@ -20,14 +21,14 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
                       vertex_count);
 }
 
-/// Pairs as stars: up to four pairs with the same first vertex follow one another in one lane, so that a
-/// kernel keeps that vertex in registers. Stars are coloured first-fit (no two stars of a colour share a
-/// vertex), sorted by length within a colour and laid side by side. The last pairs of every vertex are
-/// projected first: models list a vertex's partners from near to far, and near partners, which hold the
-/// strain, should come last.
+/// Pairs grouped into stars: one lane projects up to four pairs with the same first vertex, one after
+/// another, so that a kernel keeps this vertex in registers. Stars are coloured first-fit, so that no two
+/// stars of a colour share a vertex. Within a colour, stars are sorted by length. The last pairs of every
+/// vertex are projected first, because models list the partners of a vertex from near to far, and the near
+/// partners, which limit the strain, should be projected last.
 BatchOrder star_order(const PairList& pairs, int vertex_count);
 
-/// The order of the list, one constraint after another (for project_by_oracle()).
+/// The order of the list, without colours, for project_by_oracle().
 BatchOrder list_order(std::size_t constraint_count);
 
 }  // namespace bendlab

@@ -1,32 +1,33 @@
-// Obstacles, layers of cloth and friction as forces of an implicit step.
+// The forces of obstacles, of other layers of the cloth, and of friction in an implicit step.
 //
-// The contact passes move each vertex from x to where it should be, P(x). P(x) - x is the push of obstacles,
-// d n, plus the push of other layers, l. Both act as stiff springs,
+// The contact passes move each vertex from x to an allowed position, P(x). Obstacles push the vertex by the
+// depth d along their normal n, and other layers push it by l: P(x) - x = d n + l. Pushes act as stiff
+// springs,
 //
 //   f = κ (d n + l),   with stiffness κ n nᵀ + κ l lᵀ / l²,   κ = a w + b m
 //
-// with the weight w of inertia and the mass m. So vertices that carry their own weight sink in equally, and
-// do not strain the cloth. Layers push each other with equal forces, because their passes keep momentum.
-// Pushes that are not in State::contacts and do not keep momentum count as pushes of obstacles, without
-// friction.
-// Friction acts against the slip s of a vertex. The slip is the move of the vertex relative to the obstacle
-// in this substep, in the plane perpendicular to n:
+// with the weight w of inertia (implicit_step.hpp), the mass m, and constants a and b. So vertices that carry
+// only their own weight sink in by the same depth, and the cloth is not strained. Layers push each other with
+// equal and opposite forces, because the passes of layers keep momentum. A push that does not keep momentum
+// and is not in State::contacts counts as the push of an obstacle without friction.
+// Friction acts against the slip s of a vertex: the move of the vertex relative to the obstacle in this
+// substep, in the plane perpendicular to n,
 //
-//   f_t = -k s,   k = κ where friction holds, else min(κ, μ N / |s|)
+//   f_t = -k s,   k = κ where friction holds the vertex,   k = min(κ, μ N / |s|) where the vertex slides
 //
-// This is Coulomb's law. Friction on a sliding vertex is at its limit, μ N. A vertex that friction holds
-// hangs on a stiff spring, and its slip is removed at the end of the substep. The matrix of an iteration has
-// the k of the present s, so that iterations of a Newton method lower the function that they minimise (its
-// curvature is then that of a parabola above it: Hunter and Lange 2004, §3). Friction holds if that takes a
-// force of at most μ N. N is (κ + w) d, because the depth d is removed at the end of the substep. The smaller
-// N of this and the last iteration is used: where a vertex has just sunk in, N is far too large. μ is μ_s
-// where friction holds, μ_k where the vertex slides.
+// This is Coulomb's law: the friction on a sliding vertex is at its limit, μ N. The friction that holds a
+// vertex is a stiff spring, and the small slip of this vertex is removed at the end of the substep. The
+// matrix of an iteration has the k of the present s. So an iteration of a Newton method lowers the minimised
+// function, because the parabola with this k lies above the function (Hunter and Lange 2004, §3). Friction
+// holds a vertex if a force of at most μ N is enough. N is (κ + w) d, because the depth d is removed at the
+// end of the substep. If the last iteration had a smaller N, the smaller N is used, because N is far too
+// large where a vertex has just sunk in. μ is μ_s for held vertices, μ_k for sliding vertices.
 //
-// Two rules make iterations converge. First, an obstacle that has pushed a vertex pushes it until the vertex
-// leaves the plane of the last push: on a curved obstacle, a move perpendicular to n leaves the surface, but
-// not the plane. Second, a vertex that starts to slide in the later half of the iterations is held again only
-// if the force of its spring alone is within the limit. Else holding and sliding would alternate, because the
-// estimate of the holding force leaves out the cloth beside the vertex.
+// Two rules make iterations converge. First, the plane of an obstacle's last push continues to push a vertex
+// until the vertex has left the plane. (On a curved obstacle, a move perpendicular to n leaves the surface,
+// but not the plane.) Second, if a vertex starts to slide in the later half of the iterations, friction holds
+// the vertex again only if the force of the spring alone is within the limit. Otherwise the vertex could be
+// held and slide in turns, because the estimate of the holding force ignores the neighbours of the vertex.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,22 +48,22 @@ class ContactForces {
   using Matrix = Eigen::Matrix<Real, 3, 3>;
 
   ContactForces() = default;
-  /// `per_weight` is a (1), `per_mass` is b (N/m per kg).
+  /// `per_weight`: a (1). `per_mass`: b (N/m per kg).
   ContactForces(double per_weight, double per_mass)
       : per_weight_(static_cast<Real>(per_weight)), per_mass_(static_cast<Real>(per_mass)) {}
 
-  /// Makes room for that many slots.
+  /// `slots`: the number of points in State::position.
   void resize(std::size_t slots) { before_.resize(slots), contacts_.resize(slots); }
   bool in_use() const { return !contacts_.empty(); }
 
-  /// To be called before the passes change positions.
+  /// Call this before the contact passes change positions.
   void remember(State<Real>& state) {
     before_ = state.position;
     state.contacts.clear();
   }
 
-  /// Restores the positions and turns the changes by the passes into forces. `weights`: w, #V. Obstacles have
-  /// filled State::contacts.
+  /// Call this after the contact passes: restores the positions, and turns the changes of positions into
+  /// forces. `weights`: w, #V. State::contacts lists the pushes of obstacles.
   void push(State<Real>& state, const std::vector<Real>& weights, bool is_first_iteration) {
     std::swap(state.position, before_);  // until the end of push(), before_ is P(x)
     for (VertexContact& vertex : contacts_) vertex.pushed = vertex.carried = Vector::Zero();
@@ -91,7 +92,7 @@ class ContactForces {
     before_ = state.position;
   }
 
-  /// Finds the friction of vertices that obstacles push. Returns on how many vertices it acts.
+  /// Finds the friction of vertices that obstacles push. Returns the number of vertices with friction.
   std::uint64_t grip(const State<Real>& state, const FrictionCoefficients& friction, bool decides_late) {
     if (!in_use()) return 0;
     std::uint64_t gripped = 0;
@@ -103,16 +104,16 @@ class ContactForces {
       vertex.slip = vertex.across(state.position[v].vector() - state.previous[v].vector() - vertex.with);
       const Real length = vertex.slip.norm();
       const bool held_before = vertex.holds;
-      // A vertex that friction held in the last substep stays held until there is a force to compare with.
+      // Until N is known, friction holds the vertices that it held in the last substep.
       if (const Real carries = std::min(vertex.carried_force, vertex.earlier); carries > 0) {
         const Real most = static_cast<Real>(friction.at_rest) * carries,
                    sliding = static_cast<Real>(friction.sliding) * carries;
         vertex.limit = sliding;
-        // The force to hold a vertex is estimated by the friction of the last iteration plus inertia. This
-        // leaves out the neighbours, so a vertex that gave way once is held again only if the spring alone is
-        // within its limit. A held vertex gives way only if it was beyond its limit in the last iteration,
-        // too. Else held and sliding vertices may swap roles for ever, because a held vertex takes load off
-        // the sliding vertices beside it.
+        // The force that holds a vertex is estimated: the friction of the last iteration plus inertia,
+        // without the neighbours. So a vertex that has started to slide is held again only if the force of
+        // the spring alone is within the limit. A held vertex starts to slide only if its force was beyond
+        // the limit in the last iteration, too. Otherwise held and sliding vertices may swap for ever,
+        // because a held vertex takes load off its sliding neighbours.
         const bool within =
             ((vertex.gave_way ? vertex.stiffness : vertex.last_grip) + vertex.inertia) * length <= most;
         vertex.holds = within || (held_before && !vertex.was_beyond);
@@ -120,7 +121,7 @@ class ContactForces {
         vertex.gave_way |= decides_late && held_before && !vertex.holds;
         vertex.grip =
             vertex.holds || !(length > 0) ? vertex.stiffness : std::min(vertex.stiffness, sliding / length);
-        // While the vertex slides farther with every iteration, the matrix has no stiffness along its slip.
+        // If the vertex slides ever farther, the matrix has no stiffness along the slip.
         if (!decides_late && !vertex.holds && vertex.grip < vertex.stiffness &&
             vertex.slip.dot(last_slip) > last_slip.squaredNorm())
           vertex.slides_along = vertex.slip / length;
@@ -133,7 +134,7 @@ class ContactForces {
     return gripped;
   }
 
-  /// Removes the slip of the vertices that friction holds. To be called at the end of a substep.
+  /// Removes the slip of the vertices that friction holds. Call this at the end of a substep.
   void hold(State<Real>& state) const {
     for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v)
       if (const VertexContact& vertex = contacts_[v]; vertex.holds && vertex.depth > 0) {
@@ -145,8 +146,8 @@ class ContactForces {
   /// Whether the last iteration held the same vertices as the iteration before it.
   bool decided() const { return decided_; }
   bool touched(std::size_t v) const { return contacts_[v].touched; }  ///< in this substep
-  /// The velocity of a vertex that was pushed in this substep. It is `own`, the velocity of this substep
-  /// alone, where friction holds; else `own` along the push of an obstacle, and `kept` in other directions.
+  /// The velocity of a vertex that was pushed in this substep. `own` is the velocity of this substep alone.
+  /// Where friction holds, returns `own`; elsewhere `own` along the push of an obstacle and `kept` across.
   Vector velocity(std::size_t v, const Vector& own, const Vector& kept) const {
     const VertexContact& vertex = contacts_[v];
     if (vertex.holds) return own;
@@ -155,7 +156,7 @@ class ContactForces {
   bool pushes(std::size_t v) const {  ///< in this iteration
     return contacts_[v].depth > 0 || contacts_[v].layers.squaredNorm() > 0;
   }
-  /// f + f_t, N, where the iteration began.
+  /// f + f_t at the position where the iteration began, N.
   Vector force(std::size_t v) const {
     const VertexContact& vertex = contacts_[v];
     return obstacle_force(v) + vertex.stiffness * vertex.layers;
@@ -164,7 +165,7 @@ class ContactForces {
     const VertexContact& vertex = contacts_[v];
     return vertex.stiffness * vertex.depth * vertex.normal - vertex.grip * vertex.slip;
   }
-  /// The same to first order at another position of the vertex.
+  /// f + f_t at another position of the vertex, to first order, N.
   Vector force_at(std::size_t v, const Vector& position) const {
     return force(v) - stiffness(v) * (position - contacts_[v].at);
   }
@@ -186,8 +187,8 @@ class ContactForces {
     return vertex.grip * (Matrix::Identity() - vertex.slides_along * vertex.slides_along.transpose()) +
            (vertex.stiffness - vertex.grip) * vertex.normal * vertex.normal.transpose();
   }
-  /// The part of `force`, the sum of a vertex's other forces, that contacts do not carry at a position.
-  /// Pushes carry the part along them, and friction carries its share.
+  /// `force` is the sum of the other forces on a vertex. Returns the part of this sum that contacts do not
+  /// balance if the vertex is at `position`. Pushes balance the part along them, friction a part across.
   Vector along(std::size_t v, const Vector& force, const Vector& position) const {
     const VertexContact& vertex = contacts_[v];
     Vector left = force;
@@ -202,8 +203,7 @@ class ContactForces {
       left -= vertex.layers.dot(left) / l * vertex.layers;
     return left;
   }
-  /// Positions before the contact passes of the last iteration, or before the contact passes at the end of
-  /// the substep.
+  /// Positions before the contact passes ran for the last time.
   const Points<Real>& before() const { return before_; }
 
   std::size_t memory_bytes() const {

@@ -21,7 +21,7 @@ class Assembly {
       entries_.emplace_back(static_cast<int>(i), static_cast<int>(i), 0);
   }
 
-  // Adds value(i, j) to the entry of vertices[i] and vertices[j], if both are free.
+  // Adds value(i, j) to the matrix entry of vertices[i] and vertices[j], if both vertices are free.
   template <class ValueAt>
   void add(std::span<const int> vertices, const ValueAt& value) {
     for (std::size_t i = 0; i < vertices.size(); ++i)
@@ -64,8 +64,8 @@ std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::
   return weights;
 }
 
-// Adds, for each pair of vertices, the trace of its block of the Hessian at rest, because a sheet at rest
-// resists along its normal.
+// For each pair of vertices, adds the trace of the pair's block of the Hessian at rest. The trace is the
+// stiffness along the normal, because bending of a flat sheet at rest resists only along the normal.
 void add_own(const OwnElements& own, const Positions& rest, double compliance, Assembly& bending) {
   if (own.size() == 0) return;
   const bool is_energy = own.function->is_energy();
@@ -103,10 +103,10 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
   const double compliance = input.bending_stiffness.compliance;
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (OneSided<Kind> && list.size() > 0)
-      throw std::invalid_argument(fmt::format(
-          "{}: the force of {} jumps where the element is straight, so no constant matrix approximates it. "
-          "Choose the method newton, or another bending model",
-          input.method.name(), Kind::name));
+      throw std::invalid_argument(
+          fmt::format("{}: the force of {} jumps where the element is straight, so no constant matrix "
+                      "approximates this force. Choose the method newton, or another bending model",
+                      input.method.name(), Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e) {
       const auto weight = weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law);
       const double stiffness = 1 / (compliance * list.softness[e]);
@@ -118,8 +118,8 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
   bending_ = bending.matrix(vertices_.size());
 }
 
-// The stiffness at a vertex is Σ L²/α over its springs, half of it for each end of a spring, divided by the
-// vertex's area: springs of length L and strain ε store as much energy as a membrane of that stiffness.
+// The stiffness at a vertex is ½ Σ L²/α over the springs at the vertex, divided by the vertex's area. At
+// equal strain, a membrane of this stiffness stores as much energy as the springs (of length L).
 void ElasticMetric::find_stiffness_of_springs(const SimulationInput& input, const Positions& rest) {
   stiffness_of_springs_.assign(input.distance.size() > 0 ? strain_.size() : 0, 0);
   if (stiffness_of_springs_.empty()) return;

@@ -1,14 +1,13 @@
-// Constant matrices that approximate the Hessian of a scene's elastic energy. They are positive semidefinite
-// and have one scalar for each pair of free vertices, the same for x, y and z.
+// Constant matrices that approximate the Hessian of a scene's elastic energy. The matrices are positive
+// semidefinite. They have one scalar for each pair of free vertices; the scalar applies to x, y and z.
 //
 //   triangle     A d dᵀ / α, summed over warp and weft. A is the rest area, and f = Σ d_i x_i is a column of
-//                the deformation gradient. This is the stiffness of stretch and shear together at rest, in
-//                each direction of the plane
-//   springs      make the membrane stiffer: the stiffness of equally strained springs, spread over the
-//                triangles. An entry for each spring would couple vertices many edges apart, and the
-//                Cholesky factor would be almost dense
-//   element      κ κᵀ / α, with κ_i = n·∇_i C in the rest shape and n along the largest ∇_i C. The ∇_i C of a
-//                flat hinge are multiples of the normal, so this is the Hessian of a flat hinge
+//                the deformation gradient. For moves in the plane, this matrix has the stiffness of stretch
+//                and of shear together, at rest
+//   springs      are replaced by a stiffer membrane that stores as much energy. An entry for each spring
+//                would join vertices that are many edges apart, and the Cholesky factor would be almost dense
+//   element      κ κᵀ / α, with κ_i = n·∇_i C in the rest shape and the unit vector n along the largest
+//                ∇_i C. For a flat hinge this is the Hessian, because all ∇_i C are along the normal
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -21,13 +20,12 @@ namespace bendlab {
 
 class ElasticMetric {
  public:
-  /// Throws std::invalid_argument for elements whose force jumps: no constant matrix approximates it.
+  /// Throws std::invalid_argument for elements whose force jumps: no constant matrix approximates jumps.
   explicit ElasticMetric(const SimulationInput& input);
 
   const std::vector<int>& vertices() const { return vertices_; }           ///< the n free vertices
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
-  /// n by n, lower half, N/m, springs included. Triangle t of the mesh is softness[t] times as soft as
-  /// stated.
+  /// Membrane and springs: n by n, lower half, N/m. Triangle t is softness[t] times as soft as stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::size_t triangle_count() const { return strain_.size(); }

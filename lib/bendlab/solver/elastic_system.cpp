@@ -24,7 +24,7 @@ Potential quadratic(double c, double alpha) {
   return {0.5 * c * c / alpha, c / alpha, 1 / alpha};
 }
 
-// ψ of a one-sided kind: where C < 0, its own energy divided by α; beyond that, a force that falls to 0.
+// ψ of a one-sided kind. For C < 0: the kind's own energy divided by α. For C > 0: a force that falls to 0.
 template <class Kind>
 Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest, typename Kind::Law law,
                     double alpha) {
@@ -38,8 +38,8 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
           left > 0 ? -straight / width / alpha : 0};
 }
 
-// ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points C is their distance minus a
-// constant.
+// ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points a formula is used: C is the
+// distance of the points minus a constant.
 template <std::size_t N, class Evaluate>
 Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
   if constexpr (N == 2) {
@@ -70,8 +70,8 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
   return 0.5 * (result + result.transpose());
 }
 
-// With a flat rest shape ½ |Kx|² is a sum of the squares of three linear functions. They are used because
-// |Kx| has no second derivative at zero, that is in flat parts of a sheet.
+// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions, with one term for each.
+// C = |Kx| is not used, because |Kx| has no second derivative at zero, that is in flat parts of a sheet.
 bool is_sum_of_squares(const ElementList<QuadraticBend>& list, std::size_t c) {
   return list.law == QuadraticBend::Law::norm && list.rest[c][4] <= 1e-9 * list.rest[c][5];
 }
@@ -90,8 +90,9 @@ Eigen::MatrixXd without_negative_eigenvalues(const Eigen::MatrixXd& matrix) {
 
 void require_compliance(StiffnessKind kind, double compliance, const char* what) {
   if (kind != StiffnessKind::compliance || !(compliance > 0))
-    throw std::invalid_argument(std::string("equilibrium: ") + what +
-                                " needs its stiffness as a compliance above 0, because k has no energy");
+    throw std::invalid_argument(
+        std::string("equilibrium: ") + what +
+        " needs its stiffness as a compliance above 0, because a stiffness given as k has no energy");
 }
 
 }  // namespace
@@ -125,8 +126,8 @@ void ElasticSystem::for_terms(const Visit& visit) const {
   });
 }
 
-// The same for the terms of one constraint. `next` is the index of its first term, and is advanced past its
-// terms.
+// Calls visit() for the terms of one constraint. `next` is the index of the constraint's first term, and
+// increases by the number of the terms.
 template <class Visit>
 void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const {
   const StrainStiffness& s = strain_stiffness_;
@@ -407,7 +408,7 @@ void ElasticSystem::add_own_hessian(const Positions& positions, const Eigen::Vec
   });
 }
 
-// The first block of a column is on the diagonal: only its lower triangle is stored.
+// The first block of a column is on the diagonal, so only the lower triangle of this block is stored.
 void ElasticSystem::add_block(int row, int column, const Eigen::Matrix3d& block) {
   const std::vector<int>& rows = blocks_[static_cast<std::size_t>(column)];
   const auto rank = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();

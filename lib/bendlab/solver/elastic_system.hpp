@@ -1,17 +1,17 @@
 // The elastic energy of a scene's constraints as a function of the free vertices' positions, with gradient
-// and Hessian. XPBD approaches the minimum of this energy as it converges. A static equilibrium minimises the
-// energy together with the loads.
+// and Hessian. XPBD approaches the minimum of this energy if its iterations converge. A static equilibrium
+// minimises the sum of this energy and the energy of the loads.
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
-// Own elements (own_elements.hpp) come last. An own element that states an energy U has ψ = U / α. Where its
-// multiplier is 0, negative eigenvalues are removed from its Hessian.
+// The last terms are those of the user's own elements (own_elements.hpp). If such an element states an energy
+// U, ψ is U / α; if its multiplier is 0, negative eigenvalues are removed from its Hessian.
 //
-// C and ∇C are the oracle's (oracle.hpp), so every kind of constraint has an equilibrium. ∇²C is the central
-// difference of ∇C: it is exact to about ten digits and only affects how fast Newton's method converges. A
-// term's multiplier is its ψ'(C) or an estimate of it. A kind that is OneSided has its own ψ. Newton's method
-// needs a tangent, so a force that would jump (that of a straight ArcSpring) falls to 0 over `ramp` of the
-// element's length instead.
+// C and ∇C come from the scalar code (oracle.hpp), which has every kind of constraint. ∇²C is the central
+// difference of ∇C. The difference is exact to about ten digits, and affects only how fast Newton's method
+// converges. The multiplier of a term is ψ'(C), or an estimate of ψ'(C). A kind that is OneSided has its own
+// ψ. The force of a straight ArcSpring would jump, but Newton's method needs a tangent. So this force falls
+// to 0 over the share `ramp` of the element's length.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -25,7 +25,7 @@ class ElasticSystem {
  public:
   static constexpr double ramp = 1e-4;  ///< as a share of a one-sided element's length
 
-  /// Throws std::invalid_argument unless strain and bending (where there are any) have a compliance above 0.
+  /// Throws std::invalid_argument if strain or bending constraints have no compliance above 0.
   explicit ElasticSystem(const SimulationInput& input);
 
   /// Multiplies the stated compliance of the strain constraints by `factor` from now on.
@@ -41,27 +41,25 @@ class ElasticSystem {
   double energy(const Positions& positions) const;             ///< J; positions #V by 3, m
   Eigen::VectorXd gradient(const Positions& positions) const;  ///< unknowns, N
   Points<double> forces(const Positions& positions) const;     ///< #V, -∇E, 0 at pinned vertices, N
-  /// ψ'(C) of each term, 0 for a collapsed one.
+  /// ψ'(C) of each term; 0 for a collapsed element.
   Eigen::VectorXd multipliers(const Positions& positions) const;
 
-  /// The lower triangle of ∇²E, N/m, with `multipliers` in place of ψ'(C) in the second part. Valid until the
-  /// next call.
+  /// The lower triangle of ∇²E, N/m, with `multipliers` in place of ψ'(C) as the factors of ∇²C. The
+  /// reference is valid until the next call.
   const Eigen::SparseMatrix<double>& hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
 
-  /// Multipliers with which the Hessian has no negative eigenvalue: keeps the multipliers of lengths that
-  /// pull and sets all other multipliers to 0.
+  /// Multipliers with which the Hessian has no negative eigenvalue: multipliers of stretched lengths are
+  /// unchanged, and all other multipliers are 0.
   Eigen::VectorXd convex(Eigen::VectorXd multipliers) const;
 
-  /// The multipliers after a move by `step` (unknowns, m) to first order: ψ'(C) + ψ''(C) ∇C·step of each
-  /// term.
+  /// The multipliers after a move by `step` (unknowns, m) to first order: ψ'(C) + ψ''(C) ∇C·step.
   Eigen::VectorXd predicted_multipliers(const Positions& positions, const Eigen::VectorXd& step) const;
-  /// The largest difference, over all triangles, between the change of strain by the move `step` and its
-  /// first-order estimate.
+  /// The largest error, over all triangles, of the first-order estimate of the change of strain by `step`.
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;
 
-  /// Sums over the constraints that contain a vertex: their energy, J, their force on the vertex, N, and the
-  /// vertex's own block of their Hessian without ∇²C, N/m.
+  /// Sums over the constraints that contain a vertex: the energy, J; the force on the vertex, N; and the
+  /// vertex's own block of the Hessian, without the terms with ∇²C, N/m.
   struct AtVertex {
     double energy = 0;
     Vector3 force;
@@ -98,11 +96,11 @@ class ElasticSystem {
   std::vector<int> free_index_;
   int free_count_ = 0;
   Eigen::Index energy_terms_ = 0;
-  // For each free vertex: the free vertices with which it shares a term and whose index is not smaller.
+  // For each free vertex: the free vertices of its terms whose index is not smaller than its own index.
   std::vector<std::vector<int>> blocks_;
   Eigen::SparseMatrix<double> hessian_;
-  // #V: the constraints that contain each vertex. at_vertex() fills it. `list` is 0 for strain, 1 for
-  // distance, then 2 + kind_index.
+  // #V: the constraints that contain each vertex. The first call of at_vertex() fills the lists. `list` is 0
+  // for strain, 1 for distance, then 2 + kind_index.
   struct Listed {
     std::size_t list, index;
   };

@@ -27,7 +27,8 @@ void require_energy(const SimulationInput& input) {
   if ((input.strain.size() > 0 && !has_energy(input.strain_stiffness)) ||
       (bends && !has_energy(input.bending_stiffness)))
     throw std::invalid_argument(fmt::format(
-        "{}: every stiffness has to be a compliance above 0, because k has no energy", input.method.name()));
+        "{}: every stiffness has to be a compliance above 0, because a stiffness given as k has no energy",
+        input.method.name()));
 }
 
 }  // namespace
@@ -97,7 +98,7 @@ void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_pass
   this->append_effects(iteration_, gripping, Stage::contact);
 }
 
-// Drag that is linear in the velocity becomes part of the equations, so that no step is too long for it.
+// Drag that is linear in the velocity becomes part of the equations, so that even long steps are stable.
 template <class Real>
 void ImplicitStep<Real>::take_drag_over(Pass<Real>& pass) {
   if (pass.drag.empty()) return;
@@ -186,11 +187,11 @@ bool ImplicitStep<Real>::pins_moved() const {
   return false;
 }
 
-// Where a contact pushed, motion has a kink. A second-order formula that reaches across the kink would throw
-// the cloth back. So the velocity of such a vertex is that of this substep alone: along the normal, or in all
-// directions where friction holds. Steps of BDF2 are q += h f / m with q = 3/2 v - 1/2 v_-1; steps of
-// backward Euler are v += h f / m. To keep the momentum under the cloth's own forces, v becomes q where a
-// vertex leaves BDF2, and v_-1 becomes v where it leaves backward Euler.
+// A push by a contact makes a kink in a vertex's motion. A second-order formula across the kink would throw
+// the cloth back. So the velocity of a pushed vertex is computed from this substep alone: along the normal,
+// or in all directions if friction holds the vertex. Steps of BDF2 are q += h f / m with q = 3/2 v - 1/2
+// v_-1; steps of backward Euler are v += h f / m. The cloth's own forces must not change the momentum, so v
+// becomes q when a vertex changes from BDF2 to backward Euler, and v_-1 becomes v when a vertex changes back.
 template <class Real>
 void ImplicitStep<Real>::update() {
   const auto h = static_cast<Real>(settings_.dt / settings_.substeps);
@@ -264,7 +265,7 @@ void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
 template <class Real>
 std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
   if (!has_stepped_) return std::nullopt;
-  // Forces that move vertices by less than the tolerance or rounding are too small for a scale.
+  // No residual is computed relative to forces that move vertices by less than the tolerance or rounding.
   const double least = std::max(tolerance_,
                                 100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),
                rounded = std::accumulate(data_.weight.begin(), data_.weight.end(), 0.0) * least;  // N

@@ -10,13 +10,13 @@
 //
 //   y = X + γ (V + γ a) m / (m + c γ)
 //
-// The first substep of BDF2 is a backward Euler step. A method decides how to minimise: iterate() is one
-// iteration.
+// The first substep of BDF2 is a backward Euler step. Each method has its own iteration, iterate().
 //
-// A vertex that a contact pushed in the last substep uses backward Euler, because its motion has a kink.
+// A vertex that a contact pushed in the last substep uses backward Euler, because a push makes a kink in
+// motion.
 //
-// Obstacles, layers of the cloth and friction act by the forces of contact_forces.hpp. The depth by which a
-// vertex sinks in is removed at the end of the substep.
+// contact_forces.hpp has the forces of obstacles, of layers of the cloth, and of friction. The depth by which
+// a vertex sinks into an obstacle is removed at the end of the substep.
 //
 //   per substep:  start → force passes → damp passes → target → predicted passes →
 //                 n × (project passes, contact passes, iterate) → project passes → update → velocity passes
@@ -41,28 +41,28 @@ inline constexpr std::array<std::string_view, 2> integrator_names = {"euler", "b
 template <class Settings>
 inline constexpr std::array implicit_fields = {
     field<&Settings::integrator>({.name = "integrator",
-        .meaning = "The time integrator. euler: backward Euler, of first order, which damps motion; bdf2: "
-                   "of second order, which hardly damps motion, but gains energy where iterations are too "
-                   "few. The default of quasi_newton is euler, that of newton and vbd is bdf2",
+        .meaning = "The time integrator. euler: backward Euler, first order, damps motion; bdf2: second "
+                   "order, hardly damps motion, but gains energy if iterations are too few. The default is "
+                   "euler for quasi_newton, and bdf2 for newton and vbd",
         .choices = integrator_names}),
     field<&Settings::tolerance>({.name = "tolerance", .unit = "1",
-        .meaning = "A substep ends early once no vertex is farther from the minimum than this times the "
-                   "cloth's size, estimated from the last moves; 0: it never ends early",
+        .meaning = "A substep ends early if all vertices are closer to the minimum than this share of the "
+                   "cloth's size, as estimated from the last moves; 0: no substep ends early",
         .minimum = 0}),
 };
 // clang-format on
 
-/// The passes of the plan of every implicit method.
+/// The passes that every implicit method has.
 template <std::size_t N>
 constexpr std::array<MethodPass, 4> implicit_passes(const char (&iteration)[N]) {
-  return {MethodPass{"start", "stores the velocities; forces enter the minimum, not the first guess"},
+  return {MethodPass{"start", "stores the velocities before forces change them"},
           MethodPass{"target", "the positions without elastic forces, and the first guess"},
           MethodPass{"iterate", iteration}, MethodPass{"update", "v from x; looks for divergence"}};
 }
 
 class ElasticSystem;
 
-/// The data of a substep, beside State. Arrays have the slots of State::position.
+/// The data of a substep that are not in State. Arrays have the order of State::position.
 template <class Real>
 struct ImplicitData {
   std::vector<double> drag;                 ///< c, kg/s; empty: no drag
@@ -88,44 +88,42 @@ class ImplicitStep : public TimeStep<Real> {
   void archive(Archive& state) override;
 
  protected:
-  /// Throws std::invalid_argument unless every stiffness is a compliance above 0.
+  /// Throws std::invalid_argument if a stiffness is not a compliance above 0.
   template <class Settings>
   ImplicitStep(const SimulationInput& input, const Settings& settings, std::vector<int> permutation)
       : ImplicitStep(input, settings.integrator, settings.tolerance, std::move(permutation)) {}
   ImplicitStep(const SimulationInput& input, Integrator integrator, double tolerance,
                std::vector<int> permutation);
 
-  /// To be called once, when the derived class is complete. The stiffness of contacts is κ = `per_weight` w
-  /// plus a part in proportion to the vertex's mass, whose mean over free vertices is `mean` N/m.
+  /// Call this once, when the derived class is complete. The stiffness of contacts is κ = `per_weight` w + b
+  /// m. b follows from `mean`, the mean of b m over free vertices, N/m.
   void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double mean);
 
-  /// The name of the pass that calls prepare() before the iterations of a substep; null: there is no such
-  /// pass.
+  /// The name of the pass that calls prepare() before the iterations of a substep; null: no such pass.
   virtual const char* preparation() const { return nullptr; }
   virtual void prepare() {}
 
   /// One iteration towards the minimum, from state_.position. Returns how far vertices may still be from the
-  /// minimum, m. This is the longest move of a vertex if the next iteration would move vertices by far less.
+  /// minimum, m. If the method converges fast, the longest move of this iteration is a good estimate.
   virtual Real iterate() = 0;
 
-  /// Whether a substep must go on after this iteration, even if it was the last of /solver/iterations.
+  /// Whether the substep needs another iteration, even if /solver/iterations are done.
   virtual bool must_go_on() const { return false; }
 
-  /// -∇E, N, by slot.
+  /// -∇E, N, in the order of State::position.
   virtual Points<Real> elastic_forces(const Points<Real>& positions) const = 0;
 
-  /// The weights w with the γ that the integrator uses after its first substep.
+  /// The weights w for the γ that the integrator has after its first substep.
   std::vector<Real> lasting_weights() const;
-  /// Positions in world coordinates, #V by 3, m. Like start_lower(), only for methods that do not permute
-  /// vertices.
+  /// Positions in world coordinates, #V by 3, m. Methods that permute vertices cannot call this or
+  /// start_lower().
   Positions in_world(const Points<Real>& points) const;
-  /// Replaces the first guess by the positions at which the last substep ended, if the minimised function is
-  /// lower there: in a long step the first guess flies far away. Without this, cloth may gain energy when
-  /// iterations are few.
+  /// Replaces the first guess by the positions at the end of the last substep, if the minimised function is
+  /// lower there. Otherwise the first guess of a long step may be so far away that cloth gains energy.
   void start_lower(const ElasticSystem& system);
-  /// If nothing is pinned, shifts the whole cloth to the minimum over such shifts. Elastic forces sum to
-  /// zero, but an iteration rounds them, or carries the cloth's weight on from vertex to vertex only. To be
-  /// called at the end of an iteration.
+  /// If nothing is pinned, shifts the whole cloth to where the minimised function is least. Elastic forces
+  /// sum to zero, but an iteration rounds the sum, or passes the cloth's weight on only from vertex to
+  /// vertex. Call this at the end of an iteration.
   void keep_momentum();
   /// Whether a pinned vertex was moved in this substep.
   bool pins_moved() const;

@@ -1,4 +1,4 @@
-// A lane holds a vertex i and then, one after another, the springs of its row (spring_rows.hpp):
+// A SIMD lane reads a vertex i, and then one spring of the vertex's row after another (spring_rows.hpp):
 //
 //   lane       0     1     2   …      step<Real> lanes of a slice at a time
 //   vertex i   v0    v1    v2         own = offset_of() the vertices
@@ -19,7 +19,7 @@ constexpr auto step = static_cast<std::size_t>(lanes<Real>);
 
 using Offsets = std::array<int, group_size>;
 
-// offset_of() the vertices of a slice, one after another.
+// offset_of() each vertex of a slice.
 Offsets offsets_of(std::size_t slice) {
   Offsets offsets;
   for (std::size_t lane = 0; lane < group_size; ++lane)
@@ -53,9 +53,9 @@ struct SpringPack {
   }
 };
 
-// The factors W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity, so every pivot is
-// at least m. If rounding makes a pivot smaller (m is lost beside a stiff spring's entries), the pivot is set
-// to m, and W stays positive definite.
+// The factors W = L D Lᵀ of a symmetric 3 × 3 matrix. Every pivot is at least m, because W is at least m
+// times the identity. Rounding may make a pivot smaller, because m is tiny beside the entries of a stiff
+// spring. Then the pivot is set to m, so that W stays positive definite.
 template <class Real>
 struct Factors {
   Pack<Real> l10, l20, l21, inverse0, inverse1, inverse2;

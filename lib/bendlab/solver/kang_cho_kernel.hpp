@@ -1,5 +1,5 @@
-// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, and all
-// lanes of a pack do so at once.
+// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp). Every vertex sums its own springs. A pack
+// is a SIMD vector with one vertex in each lane, and its vertices are computed at the same time.
 #pragma once
 
 #include "bendlab/constraints/state.hpp"
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// The tangent of a spring across its direction is k max(least, slope (1 - L / |d|)); along it, it is k.
+/// The tangent of a spring is k along the spring, and k max(least, slope (1 - L / |d|)) across the spring.
 template <class Real>
 struct AcrossTangent {
   Real least, slope;

@@ -1,4 +1,4 @@
-// The orders of a scene's constraints, for methods that keep the order of the lists.
+// The orders of a scene's constraints, for methods that do not reorder the scene's lists.
 #pragma once
 
 #include <array>

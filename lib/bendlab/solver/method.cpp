@@ -47,8 +47,9 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
     throw std::invalid_argument(fmt::format("{}: is not available in {} precision", input.method.name(),
                                             std::is_same_v<Real, float> ? "single" : "double"));
   if (input.method.kind().mesh_order && !input.permutation.empty())
-    throw std::invalid_argument(fmt::format(
-        "{}: keeps the mesh's order, so the input must not permute vertices", input.method.name()));
+    throw std::invalid_argument(
+        fmt::format("{}: keeps the mesh's order of vertices, so SimulationInput::permutation has to be empty",
+                    input.method.name()));
   return make(input, std::move(effect_passes));
 }
 

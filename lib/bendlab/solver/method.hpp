@@ -1,6 +1,5 @@
-// The interface of a solver method, which takes one step of a cloth. A new method is a struct in methods.hpp,
-// one file in methods/, one test and one config. Its MethodKind declares what the method can simulate, and
-// the rules of scenes follow from that.
+// The interface of a solver method, which computes the steps of a cloth. The MethodKind of a method declares
+// what the method can simulate. Scenes are checked against this declaration.
 #pragma once
 
 #include <memory>
@@ -15,34 +14,34 @@
 
 namespace bendlab {
 
-/// What holds the cloth together in its plane.
+/// What resists stretch of the cloth.
 enum class Membrane {
   triangles,  ///< SimulationInput::strain
   edges,      ///< SimulationInput::edges, a spring along each
 };
 
-/// The matrix that a method factorises. Forecasts of memory depend on it.
+/// The matrix that a method factorises, for forecasts of memory.
 enum class Factorised {
   nothing,
   scalars,  ///< once: a matrix with a scalar for each pair of neighbours
   blocks,   ///< in every iteration: a matrix with a 3 by 3 block for each pair of neighbours
 };
 
-/// A pass that a method adds to the plan, and the reason for it.
+/// A pass that a method adds to the plan, and the reason for the pass.
 struct MethodPass {
   std::string_view name, why;
 };
 
-/// A run whose steps did not converge, for the text of its warning.
+/// What the text of a warning depends on, for a run whose steps did not converge.
 struct UnconvergedRun {
   bool touches = false;  ///< the cloth may touch an obstacle
   bool has_strain = false;
 };
 
-/// A run that diverged, or broke a bound of its scene, for the choice of remedies.
+/// What the choice of remedies depends on, for a run that diverged or broke a bound of its scene.
 struct FailedRun {
   const SimulationInput& input;
-  bool fell_wrong = false;  ///< free cloth that did not fall as its forces demand; else it flew apart
+  bool fell_wrong = false;  ///< free cloth did not fall as forces demand; false: it flew apart
   bool single_precision = false;
   bool is_pinned = false;
   bool helps_projection = false;  ///< the scene lists an effect with EffectKind::helps_projection
@@ -64,54 +63,53 @@ enum class ConstraintOrder {
   pins,    ///< like mesh, with lists that order_from_pins() has sorted
 };
 
-/// A solver method: its traits, and the functions that make a simulation.
+/// A solver method: its properties, and the functions that make a simulation.
 struct MethodKind {
   std::string_view name;
-  std::string_view summary;                 ///< one line: what a step does
-  std::string_view source;                  ///< paper and equation
-  std::string_view limits;                  ///< what it cannot do
-  FieldTable settings;                      ///< its own settings; SolverSettings has the shared settings
+  std::string_view summary;  ///< one line: what a step does
+  std::string_view source;   ///< paper and equation
+  std::string_view limits;   ///< what it cannot do
+  FieldTable settings;       ///< the method's own settings; SolverSettings has the shared settings
   std::span<const MethodPass> passes = {};  ///< besides "bending" and the passes of effects
   Membrane membrane = Membrane::triangles;
   Factorised factorised = Factorised::nothing;
-  /// The time of an iteration, relative to projecting each constraint once. Approximate, for forecasts.
+  /// The approximate time of an iteration, for forecasts; 1: the time to project each constraint once.
   double cost = 1;
   bool springs_only = false;        ///< only takes bending models that are made of springs
   bool takes_own_elements = false;  ///< takes elements whose function the program brings
-  /// Why every stiffness has to be a compliance above 0. Empty: stiffness may also be given as k.
+  /// Why the method needs every stiffness as a compliance above 0. Empty: stiffness may also be given as k.
   std::string_view needs_compliance = {};
-  /// Whether constraints are projected one after another. If so, effects may act between projections, and
-  /// springs may push only as hard as the projections of a substep can hold.
+  /// Whether the method projects constraints one after another. Only then may effects act between
+  /// projections. The projections of a substep then limit how hard springs may push.
   bool projects = false;
-  /// For a method that does not project: whether it takes effects that act between projections. They then act
-  /// after each iteration, if they can (EffectKind::acts_in_iterations).
+  /// For a method that does not project: whether effects that act between projections may act after each
+  /// iteration. An effect also has to allow this (EffectKind::acts_in_iterations).
   bool takes_effects_in_iterations = false;
-  int default_substeps = 0, default_iterations = 0;  ///< 0: it does not read the setting
-  bool has_motion = true;         ///< steps simulate motion; else they approach an equilibrium
+  int default_substeps = 0, default_iterations = 0;  ///< 0: the method does not read the setting
+  bool has_motion = true;                            ///< false: steps approach an equilibrium
   bool steps_implicitly = false;  ///< its iterations approach the minimum that implicit_step.hpp states
   bool keeps_momentum = false;    ///< only forces and rounding change Σ m v
-  /// Its arrays have the vertices in the mesh's order, so SimulationInput::permutation has to be empty, also
-  /// for the effects.
+  /// Whether the method's arrays have the vertices in the mesh's order. Then SimulationInput::permutation has
+  /// to be empty, also for the effects.
   bool mesh_order = false;
-  /// Whether single precision keeps the moves of a substep apart from the positions; else it rounds whole
-  /// positions.
+  /// Whether, in single precision, the moves of a substep are stored apart from the positions; false: each
+  /// move is added to the position and rounded.
   bool keeps_moves_apart = false;
   /// Projections of each constraint in an iteration; null: 1.
   int (*sweeps_per_iteration)(const void* settings) = nullptr;
-  /// Whether something beside the constraints resists stretch, equally in all directions; null: never.
+  /// Whether coarse levels, for example, also resist stretch, equally in all directions; null: never.
   bool (*carries_stretch)(const void* settings) = nullptr;
-  /// How far the cloth at rest may move because the membrane is softened, as a share of the cloth's size; 0:
-  /// the membrane is as stated. Null: always 0.
+  /// How far a softened membrane may move the cloth at rest, in sizes of the cloth; 0: no softening. Null: 0.
   double (*membrane_error)(const void* settings) = nullptr;
-  /// Iterations that a substep needs to follow the motion, per C², the square of the membrane's Courant
-  /// number; 0: the number of iterations does not depend on C.
+  /// The number of iterations that a substep needs to follow the motion, divided by C²; C is the Courant
+  /// number of the membrane. 0: the number does not depend on C.
   double iterations_per_courant = 0;
-  /// Steps lag behind the motion if they leave forces unbalanced that exceed this multiple of the effects'
-  /// forces. The second limit holds where cloth touches something.
+  /// Steps lag behind the motion if the unbalanced forces exceed this multiple of the effects' forces; the
+  /// second multiple is for cloth that touches something.
   double residual_of_lag = 2, residual_of_lag_on_obstacle = 1;
-  /// A sentence on what helped against such lag in tests; null: more iterations.
+  /// A sentence on what reduced this lag in tests; null: more iterations.
   std::string (*remedy_of_lag)(const void* settings, const UnconvergedRun&) = nullptr;
-  /// Changes that helped such a run in trials, with numbers; null: nothing was tried.
+  /// Changes of settings that helped a failed run in trials, with numbers; null: nothing was tried.
   std::vector<std::string> (*remedies)(const void* settings, const FailedRun&) = nullptr;
   /// Sorts the scene's lists before a simulation is made; null: the lists stay as they are.
   void (*sort)(const void* settings, SimulationInput& input, const RestMesh& rest) = nullptr;
@@ -127,11 +125,12 @@ struct MethodKind {
       return make_double;
   }
 
-  /// For a method that a program adds: a text that identifies the version of its code in run ids. Empty: a
-  /// hash of the program's file identifies the version.
+  /// For a method that a program adds: the version of the method's code, as a part of run ids. Empty: the
+  /// version is a hash of the program's file.
   std::string_view code = {};
 
-  /// Whether an effect with these traits acts in the method. Other effects must not be in its plan.
+  /// Whether an effect acts in the method, if its EffectKind has these two values. The plan must not have
+  /// others.
   bool takes_effect(bool needs_projection, bool acts_in_iterations) const {
     return projects || !needs_projection || (takes_effects_in_iterations && acts_in_iterations);
   }
@@ -146,7 +145,7 @@ std::span<const MethodKind* const> methods();
 /// The method called `name`, or nullptr.
 const MethodKind* find_method(std::string_view name);
 
-/// Adds a method of the program's own. See Registry::add().
+/// Adds a method that the program defines. See Registry::add().
 void register_method(const MethodKind& kind);
 void register_method(const MethodKind&&) = delete;
 

@@ -1,6 +1,6 @@
 // The settings of every solver method, with their defaults. The file of a method, methods/<name>.cpp,
-// explains the settings and the step. A new method is a struct and its name in the list below, one file, one
-// test and one config.
+// explains the settings and the step. A new method needs a struct and its name in the list below, one file,
+// one test and one config.
 #pragma once
 
 #include "bendlab/solver/method.hpp"
@@ -50,7 +50,7 @@ struct Newton {
 struct QuasiNewton {
   enum class Membrane { stated, automatic };
 
-  /// Not bdf2, which gains energy where iterations have not converged.
+  /// The default is not bdf2, because bdf2 gains energy if iterations have not converged.
   Integrator integrator = Integrator::euler;
   double tolerance = 1e-7;  ///< of the cloth's size
   int history = 5;          ///< number of pairs that L-BFGS keeps
@@ -66,11 +66,11 @@ struct Vbd {
   static const MethodKind kind;
 };
 
-/// All methods, in the order in which lists show them.
+/// All methods, in the order of the lists that users see.
 inline constexpr auto listed_methods =
     listed_kinds<MethodKind, Pbd, KangCho, Equilibrium, Newton, QuasiNewton, Vbd>;
 
-/// The settings of input.method. Throws std::logic_error if that method has other settings than `Settings`.
+/// The settings of input.method. Throws std::logic_error if the method has settings of another type.
 template <class Settings>
 const Settings& settings_of(const SimulationInput& input) {
   const auto* settings = input.method.as<Settings>();

@@ -8,8 +8,8 @@
 namespace bendlab {
 namespace {
 
-// OpenBLAS allocates its working memory in its first call, and retries for ever if there is no memory. So
-// this function tests the memory first.
+// OpenBLAS allocates its working memory in its first call. If there is no memory, OpenBLAS retries for ever.
+// So this function tests first whether there is memory.
 void require_working_memory() {
   constexpr std::size_t enough = std::size_t{192} << 20;  // a buffer takes 32 to 128 MiB of address space
   void* const there =

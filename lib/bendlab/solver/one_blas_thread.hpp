@@ -3,9 +3,9 @@
 
 namespace bendlab {
 
-/// Stops OpenBLAS, if CHOLMOD uses it, from starting its own threads in every product. Runs side by side use
-/// the cores better. (OpenBLAS built without threads is no alternative: it may not be called from several
-/// threads.)
+/// If CHOLMOD uses OpenBLAS, OpenBLAS no longer starts threads of its own in every product. Several runs at
+/// the same time use the cores better than several threads of a product. (OpenBLAS built without threads is
+/// no alternative, because it may not be called from several threads.)
 void one_blas_thread();
 
 }  // namespace bendlab

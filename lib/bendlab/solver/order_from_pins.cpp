@@ -38,7 +38,7 @@ std::vector<std::size_t> nearest_first(const Corners& vertices, const std::vecto
   return order;
 }
 
-// An optional array that is empty stays empty.
+// Sorts `values` by `order`; an optional array may be empty.
 template <class Values>
 void reorder(Values& values, const std::vector<std::size_t>& order) {
   if (values.empty()) return;

@@ -1,5 +1,4 @@
-// Orders constraints by their distance from the pins, so that the constraints that hold the cloth are
-// projected before the constraints that hang from them.
+// Sorts constraints by their distance from the pins, so that constraints near pins are projected first.
 #pragma once
 
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -8,7 +7,7 @@
 namespace bendlab {
 
 /// Sorts the lists by the number of edges between a constraint's nearest vertex and the nearest pin.
-/// Constraints at equal distance keep their order. Without pins nothing changes.
+/// Constraints at equal distances keep their order. Without pins nothing changes.
 void order_from_pins(SimulationInput& input, const RestMesh& rest);
 
 }  // namespace bendlab

@@ -10,11 +10,11 @@
 namespace bendlab {
 namespace {
 
-// A tile's points take a quarter of a second-level cache of 1 MB.
+// The points of a tile (tiling.hpp) take a quarter of a second-level cache of 1 MB.
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
-// The same constraints, with vertex permutation[v] in place of v.
+// The list with vertex permutation[v] in place of v.
 template <class List>
 List renumbered(List list, const std::vector<int>& permutation) {
   for (auto& corners : list.vertices)
@@ -25,7 +25,7 @@ DistanceConstraints renumbered(const DistanceConstraints& list, const std::vecto
   return list.renumbered(permutation);
 }
 
-// Constraints sorted by the lowest of their vertices, and the index of each in the list.
+// Constraints sorted by the lowest of their vertices, and the index of each constraint in the list.
 template <class Vertices>
 struct SortedByLowest {
   Vertices vertices;
@@ -53,8 +53,8 @@ struct SortedByLowest {
   }
 };
 
-// The batch of a list's constraints, with permuted vertices and ordered by `colour`. Fills `tiles` for one
-// thread; several threads work colour by colour.
+// The batch of a list's constraints, with permuted vertices, in the order that `colour` gives. If there is
+// one thread, also fills `tiles`; several threads work colour by colour.
 template <class Real, class List, class Colour, class Make>
 auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list, Colour colour, Make make,
               std::vector<StackRange>* tiles) {
@@ -75,8 +75,8 @@ auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list
               vertex_count);
 }
 
-// The range of compliances α for which α, α/h² and a force C/α stay within the range of Real, with room for
-// further factors. A softer constraint does nothing in a substep, and a stiffer constraint is rigid.
+// The range of compliances α for which α, α/h² and a force C/α are within the range of Real, with a margin
+// for other factors. A softer constraint does nothing in a substep, and a stiffer constraint is rigid.
 template <class Real>
 class ComplianceRange {
  public:

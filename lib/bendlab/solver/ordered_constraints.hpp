@@ -1,4 +1,4 @@
-// Makes the batches of the kernels from a scene's lists of constraints.
+// Makes batches of constraints, as the kernels need them, from a scene's lists of constraints.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace bendlab {
 
-/// Ranges of stacks, in the order in which one thread projects them (tiling.hpp). Empty: colour by colour.
+/// Ranges of stacks, in the order in which one thread projects the ranges (tiling.hpp). Empty: colour by
+/// colour.
 struct ConstraintTiles {
   std::vector<StackRange> strain, distance;
   std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> elements;  ///< by kind_index
@@ -21,12 +22,12 @@ struct ConstraintTiles {
 struct Ordering {
   ConstraintOrder order = ConstraintOrder::colour;
   int projections = 1;               ///< how often a substep projects each constraint
-  ConstraintTiles* tiles = nullptr;  ///< ordered_constraints() fills them; null: no tiles
+  ConstraintTiles* tiles = nullptr;  ///< ordered_constraints() fills the tiles; null: no tiles
 };
 
 /// The batches of the input's lists in the order of `ordering`, with vertices permuted by input.permutation.
-/// Stiffness is included: k is converted to the k of one projection. With a compliance, batches also have
-/// multipliers, which are 0.
+/// A stiffness given as k is converted to the k of one projection. For a stiffness given as compliance,
+/// batches have multipliers, which are 0.
 template <class Real>
 Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<Real>* rest_points,
                                       const Ordering& ordering = {});

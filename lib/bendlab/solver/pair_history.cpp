@@ -9,11 +9,11 @@
 namespace bendlab {
 namespace {
 
-// Vectors are read in parts that stay in the first-level cache while the same part of all pairs is read.
+// Vectors are read in parts, so that a part stays in the first-level cache for all pairs.
 constexpr std::size_t part_points = 256;
 
-// The dot product of two parts. Every processor computes 64 partial sums side by side, whatever its vector
-// width, so that all processors compute the same bits.
+// The dot product of two parts. Every processor computes 64 partial sums, whatever the width of its vectors,
+// so that the result has the same bits on all processors.
 template <class Real>
 double part_dot(const Real* a, const Real* b, std::size_t size) {
   constexpr std::size_t width = static_cast<std::size_t>(lanes<Real>), wide = 64;

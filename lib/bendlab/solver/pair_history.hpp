@@ -1,15 +1,15 @@
-// The pairs (s, y) of a quasi-Newton method, where s is a move and y the change of the gradient along it, and
-// the search direction that they give: L-BFGS (Nocedal 1980) with a constant matrix A, the metric, as first
-// estimate of the Hessian.
+// The pairs (s, y) of L-BFGS (Nocedal 1980), and the search direction that follows from the pairs. s is a
+// move, and y is the change of the gradient along s. A constant matrix A, the metric, is the first estimate
+// of the Hessian.
 //
 // The usual two loops of L-BFGS read every vector twice, and change the direction with every vector. Here A⁻¹
-// is applied to the gradient alone: p = A⁻¹ g. Since z = A⁻¹ y is a difference of two such p, the direction
-// is a sum of known vectors,
+// is applied to the gradient alone: p = A⁻¹ g. Since z = A⁻¹ y is the difference of two vectors p, the
+// direction is a sum of known vectors,
 //
 //   d = p - Σ α_i z_i + Σ (α_i - β_i) s_i,
 //
-// and α and β follow from dot products: of s_i and z_i with g, and of s_i and z_i with every newer y. One
-// pass through memory finds all of them.
+// and α and β follow from the dot products of s_i and z_i with g, and with every newer y. One pass through
+// memory computes all these dot products.
 #pragma once
 
 #include <cstddef>
@@ -24,20 +24,20 @@ namespace bendlab {
 template <class Real>
 class PairHistory {
  public:
-  /// Keeps the last `most` pairs of vectors of `count` points.
+  /// Stores the last `most` pairs of vectors of `count` points.
   PairHistory(std::size_t count, std::size_t most);
 
   void clear() { pairs_ = 0; }
-  /// The next place will form no pair with the last place.
+  /// Forgets the last place, so that the next place does not form a pair with the last place.
   void forget_last() { last_x_.clear(); }
 
-  /// Positions of the cloth, and the gradient of the energy there.
+  /// A place: positions of the cloth, and the gradient of the energy at these positions.
   struct Place {
     const Points<Real>& x;
     const Points<Real>& gradient;  ///< g
     const Points<Real>& applied;   ///< p = A⁻¹ g
-    /// Corrections to add to the g and p of the last place if the minimised function has changed since then.
-    /// Null if it has not.
+    /// Corrections to g and p of the last place, if the minimised function has changed since the last place;
+    /// null if the function has not changed.
     const Points<Real>* gradient_before = nullptr;
     const Points<Real>* applied_before = nullptr;
   };
@@ -47,10 +47,10 @@ class PairHistory {
     double after = 0;   ///< s·g at this place, J
   };
 
-  /// Keeps the pair of the last place and this place, if there is a last place and if the curvature of the
-  /// energy along the move is more than a tenth of the curvature of inertia, s·W s. W is `weights`, one for
-  /// each point, in N/m. A smaller curvature comes from negative curvature of the elastic energy, or from
-  /// rounding.
+  /// Adds a place. Stores the pair of the last place and this place if the curvature of the energy along the
+  /// move is more than a tenth of the curvature of inertia, s·W s. W is `weights`, one for each point, in
+  /// N/m. If the curvature is smaller, the elastic energy has negative curvature, or rounding is the cause.
+  /// Returns nothing if there is no last place.
   std::optional<Along> add(const Place& place, const std::vector<Real>& weights);
 
   /// Writes the search direction d at the last place; the next move is -d. `direction` may be `applied`

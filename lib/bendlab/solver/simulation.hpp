@@ -1,5 +1,4 @@
-// SimulationInput, which a solver method (methods.hpp) gets from a scene, and Simulation, which callers get
-// from a method.
+// SimulationInput: what a solver method (methods.hpp) gets from a scene. Simulation: what a method returns.
 #pragma once
 
 #include <array>
@@ -74,9 +73,9 @@ struct SimulationInput {
   double push_tension = 0;  ///< N/m, by which springs that push stretch the rest shape
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
-  /// Single precision: whether a substep moves the cloth by little more than the last digit of its positions.
-  /// If so, a method with MethodKind::keeps_moves_apart stores moves apart from positions, which takes up to
-  /// a fifth more time. See Places.
+  /// Single precision: whether the moves of a substep are so short that positions have too few digits for
+  /// them. If so, a method with MethodKind::keeps_moves_apart stores moves apart from positions (see Places),
+  /// and takes up to a fifth more time.
   bool moves_apart = true;
 };
 
@@ -99,11 +98,10 @@ struct Divergence {
   double stretch = 1;  ///< its larger principal stretch, may be non-finite
 };
 
-/// Forces that the iterations of an implicit substep left unbalanced. Sums of the lengths of forces over free
-/// vertices, N.
+/// Unbalanced forces after an implicit substep: sums of the lengths of forces over free vertices, N.
 struct StepResidual {
-  double unbalanced;  ///< of the total force, inertia included, without the part that contacts carry
-  double effects;     ///< of the effects' forces, without linear drag; of inertia if those are negligible
+  double unbalanced;  ///< of the total force, inertia included, without the part that contacts balance
+  double effects;     ///< of the effects' forces, without linear drag; of inertia if these are tiny
   double share() const { return unbalanced / effects; }
 };
 
@@ -111,7 +109,7 @@ class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// One time step dt. Returns false if the cloth diverged (see divergence()); the state is then useless.
+  /// One time step dt. Returns false if the cloth diverged (see divergence()). Do not use a diverged state.
   virtual bool step() = 0;
 
   /// Whether further steps would change nothing. Always false for a method that simulates motion.
@@ -123,38 +121,37 @@ class Simulation {
   virtual Positions positions() const = 0;   ///< #V by 3, m
   virtual Positions velocities() const = 0;  ///< #V by 3, m/s
   virtual const Divergence& divergence() const = 0;
-  /// The step plan, in the order of a substep.
+  /// The passes of the steps, in the order of a substep.
   virtual const std::vector<PassStatistics>& passes() const = 0;
-  /// Seconds that threads other than the calling thread have spent on passes so far.
+  /// Seconds of work on passes so far, by all threads except the calling thread.
   virtual double helper_seconds() const = 0;
   /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
   /// For a method that does not project: evaluations of constraints.
   virtual std::uint64_t projections() const = 0;
-  /// Substeps so far. A substep that the method cut counts once for each part.
+  /// Substeps so far. If the method cut a substep into parts, each part counts as a substep.
   virtual std::uint64_t substeps() const = 0;
   /// Memory of the method's arrays so far: points, ordered constraints with their multipliers, and data for
   /// solving (a matrix, and the largest size of its factor). The lists of effects and of the scene are not
   /// counted.
   virtual std::size_t memory_bytes() const = 0;
-  /// The order of the constraints: the index in the list for each lane, -1 for padding.
+  /// The order of the constraints: for each SIMD lane, the index of its constraint in the list, or -1.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
   /// The order of the elements whose Kind::name is `kind`. Throws as index_of_kind() does.
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;
-  /// How much of the stated stiffness the last substep realised (effective_stiffness.hpp), if the method
-  /// knows. Takes about as long as ten projection sweeps.
+  /// How much of the stated stiffness the cloth had in the last substep (effective_stiffness.hpp), if the
+  /// method knows. The call takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
   /// The residual at the end of the last substep, for a method that steps implicitly. Empty before the first
-  /// step, and if the forces are smaller than the errors that rounded positions cause. Takes about as long as
-  /// an iteration.
+  /// step, and if the forces are smaller than their rounding errors. Takes as long as an iteration.
   virtual std::optional<StepResidual> step_residual() const { return std::nullopt; }
 
   /// The membrane's compliance as a multiple of the stated compliance, if the method softened the membrane.
   virtual std::optional<double> membrane_softness() const { return std::nullopt; }
 
-  /// Writes or reads everything that further steps depend on, and all counts. To be called between steps.
-  /// After reading, a simulation of the same input takes the same steps, bit for bit.
+  /// Writes or reads everything that further steps depend on, and all counts. Call this between steps. After
+  /// reading, a simulation of the same input computes the same steps, bit for bit.
   virtual void archive(Archive& state) = 0;
 };
 

@@ -11,12 +11,12 @@
 namespace bendlab {
 namespace {
 
-// A membrane of stiffness Y moves a sheet at rest by 3.5 F / Y sizes if the sheet hangs by patches at two
-// corners, and by a tenth of that if it hangs by a side.
+// Under a load F, a sheet at rest with a membrane of stiffness Y moves by 3.5 F / Y sizes if the sheet hangs
+// by patches at two corners, and by a tenth of this if the sheet hangs by a side.
 constexpr double moved_per_load = 5;
-// In a quarter of a plane, the strain at the distance r from a point that carries F is 4 F / (π Y r). So the
-// strain is at most 0.025 at every distance if the membrane becomes stiffer nearer to pins than this
-// distance, in units of error times size.
+// The distance from pins within which the membrane is stiffer, in units of error times size. In a quarter of
+// a plane that hangs from a point with the force F, the strain at the distance r is 4 F / (π Y r). With this
+// distance the strain is at most 0.025 everywhere.
 constexpr double graded_per_error = 10;
 
 struct Neighbour {

@@ -1,8 +1,8 @@
-// A membrane that is softer than stated where that does no harm. The needed number of iterations grows as the
-// square root of the membrane's stiffness, and cloth hardly stretches under its weight with either stiffness.
+// A membrane that is softer than stated where the cloth hardly stretches anyway. A softer membrane needs
+// fewer iterations: the number grows as the square root of the membrane's stiffness.
 //
 // Under a load F a membrane of stiffness Y (N/m) strains by about F / (Y l) where the load spreads over the
-// length l. So it needs the stated stiffness only near pins, where l is as small as a triangle:
+// length l. So the stated stiffness is needed only near pins, where l is as small as a triangle:
 //
 //   softness    most |          .--------------
 //                    |       .´
@@ -10,7 +10,7 @@
 //                    +---------|---------------
 //                    0       graded         r, distance from the nearest pinned vertex along edges, m
 //
-// `most` is the softness far from pins. `graded` is the distance at which it is reached, m.
+// `most` is the softness far from pins. `graded` is the least distance with this softness, m.
 #pragma once
 
 #include <vector>
@@ -23,9 +23,8 @@ class SoftMembrane {
  public:
   explicit SoftMembrane(const SimulationInput& input);
 
-  /// The compliance of each triangle divided by the stated compliance, at least 1. `error` is how far the
-  /// softer membrane may move the cloth at rest, in sizes of the cloth, under loads of `force` newtons in
-  /// total.
+  /// The compliance of each triangle divided by the stated compliance, at least 1. `error`: how far the
+  /// softer membrane may move the cloth at rest, in sizes. `force`: the sum of the loads, N.
   std::vector<double> softness(double error, double force) const;
 
  private:

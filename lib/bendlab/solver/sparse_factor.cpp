@@ -31,7 +31,7 @@ SparseFactor<Real>::SparseFactor(const Eigen::SparseMatrix<double>& lower) {
   if (solver.info() != Eigen::Success)
     throw std::runtime_error(
         "the matrix of inertia and stiffness is not positive definite after rounding: the stiffness of "
-        "bending, that of the membrane and the mass differ by too many powers of ten. State a lower "
+        "bending, the stiffness of the membrane and the mass differ by too many powers of ten. State a lower "
         "stiffness");
   keep(solver.factor());
 }
@@ -82,8 +82,7 @@ void SparseFactor<Real>::solve(const Point<Real>* right, Point<Real>* solution) 
     }
     const int* const rows = rows_.data() + node.rows;
     int row = 0;
-    // Four rows at a time: one load of a column's point serves all four, and the four sums do not wait for
-    // each other.
+    // Four rows at a time, because all four use one load of a column's point, and their sums run in parallel.
     for (; row + 4 <= node.row_count; row += 4, value += 4 * node.columns) {
       Quad sums[4] = {load_point(x[rows[row]]), load_point(x[rows[row + 1]]), load_point(x[rows[row + 2]]),
                       load_point(x[rows[row + 3]])};

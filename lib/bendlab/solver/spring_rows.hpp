@@ -1,7 +1,7 @@
 // Springs by vertex: each vertex has a row of its own springs, so that each vertex can sum its springs
-// independently. A spring is in the rows of both its ends.
+// independently. A spring is in two rows: those of its two ends.
 //
-//   slice   the rows of max_lanes consecutive vertices, one row per lane; as long as its longest row
+//   slice   the rows of max_lanes consecutive vertices, one row in each SIMD lane; as long as the longest row
 //
 //   lane    0      1      2    …
 //           s0     s1     s0        a vertex's springs in the order of the list; shorter rows end in padded
@@ -35,7 +35,7 @@ struct SpringRows {
   std::size_t slice_count() const { return slices.size() - 1; }
 };
 
-/// Makes a row for each vertex. `needs_row`: #V; where it is 0, the row is empty.
+/// Makes a row for each vertex. `needs_row`: #V; 0: the row is empty.
 template <class Real>
 SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std::vector<char>& needs_row);
 

@@ -25,9 +25,9 @@ class SupernodalSolver {
 
   /// Factorises lower + diagonal + blocks; the first call also finds the elimination order. Returns false if
   /// the matrix is not positive definite. `lower` must have an entry wherever a block has an entry.
-  /// Where AMD's order is poor, CHOLMOD tries METIS, which seeds and draws the random numbers of the whole
-  /// process. So a lock lets runs side by side find their orders one after another; else their bits would
-  /// differ.
+  /// If AMD's order is poor, CHOLMOD tries METIS, which uses the random numbers of the whole process. A lock
+  /// therefore lets only one run at a time find its order. Otherwise the orders, and the bits of the results,
+  /// would depend on the other runs.
   bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal,
                  std::span<const DiagonalBlock> blocks = {}) {
     Eigen::SparseMatrix<double> matrix = lower;
@@ -47,7 +47,7 @@ class SupernodalSolver {
   }
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_.solve(right); }
 
-  /// The most memory that CHOLMOD used at a time. An archive may write and read it through the reference.
+  /// The largest memory that CHOLMOD has used so far. An archive writes and reads it by reference.
   std::size_t memory_bytes() const { return bytes_; }
   std::size_t& memory_bytes() { return bytes_; }
 

@@ -29,8 +29,8 @@ template <class Corners>
 std::vector<StackRange> tiled(const BatchOrder& order, const Corners& corners, int vertex_count,
                               int tile_vertices) {
   const std::vector<Extent> extents = extents_of_stacks(order, corners);
-  // For each stack, the lowest vertex of this stack and of all later stacks of its colour. Once the earlier
-  // stacks are done, the colour has no more work below that vertex.
+  // For each stack, the lowest vertex of this stack and of all later stacks of its colour. After the earlier
+  // stacks, the colour has no more work below this vertex.
   std::vector<int> lowest_left(extents.size());
   std::vector<std::size_t> next;  // per colour, the first stack still to do
   for (std::size_t colour = 0; colour + 1 < order.colours.size(); ++colour) {

@@ -49,7 +49,7 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
     if (free && input.velocities.rows() > 0)
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
-  // The corners of a padded lane are 0 and the three unit vectors, so that it is never collapsed.
+  // The corners of a padded SIMD lane are 0 and the unit vectors, so that its element is never collapsed.
   for (int corner = 1; corner < dummy_corners; ++corner)
     for (int lane = 0; lane < max_lanes; ++lane)
       state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
@@ -93,8 +93,8 @@ void TimeStep<Real>::append_effects(Passes& passes, std::vector<Pass<Real>>& eff
   }
 }
 
-// Leaves out the divergence, because a diverged simulation takes no more steps; contacts, which last for one
-// iteration; and multipliers, which last for one substep.
+// The archive does not need the divergence, because a diverged simulation takes no more steps. Contacts (for
+// one iteration) and multipliers (for one substep) are left out, too.
 template <class Real>
 void TimeStep<Real>::archive(Archive& state) {
   double helpers = helper_seconds();
@@ -103,7 +103,7 @@ void TimeStep<Real>::archive(Archive& state) {
   if (state.reads()) earlier_helper_seconds_ = helpers - workers_.helper_seconds();
   std::vector<PassStatistics> passes = statistics_;
   state(passes);
-  for (PassStatistics& pass : statistics_)  // passes of one name match in their order
+  for (PassStatistics& pass : statistics_)  // passes with equal names keep their order
     if (const auto saved = std::ranges::find(passes, pass.name, &PassStatistics::name); saved != passes.end())
       pass = *saved, passes.erase(saved);
   for (const auto& archive : effect_archives_) archive(state);
@@ -122,7 +122,7 @@ void TimeStep<Real>::run(const Passes& passes, PassContext<Real>& context) {
   }
 }
 
-// A NaN fails every comparison, so it is out of bounds.
+// A NaN is out of bounds, because every comparison with a NaN is false.
 template <class Real>
 void TimeStep<Real>::find_divergence() {
   if (divergence_.vertex >= 0) return;

@@ -12,7 +12,7 @@ template <class Real>
 struct PlannedPass {
   std::function<void(PassContext<Real>&)> run;
   std::size_t statistics;  ///< its row in passes()
-  bool counts = true;      ///< whether it counts as a call of the pass; false: it is only a part of it
+  bool counts = true;      ///< whether run() counts as a call of the pass; false: as a part of a call
 };
 
 template <class Real>
@@ -49,7 +49,7 @@ class TimeStep : public Simulation {
   /// `permutation`: the index of each vertex in the arrays; empty: vertices keep their indices.
   TimeStep(const SimulationInput& input, std::vector<int> permutation);
 
-  /// Fills constraints_, which effects read. Without this call constraints_ are empty.
+  /// Fills constraints_, which effects read. Without this call constraints_ is empty.
   void order_constraints(const SimulationInput& input, const Ordering& ordering = {});
 
   virtual void substep(PassContext<Real>& context) = 0;
@@ -59,26 +59,25 @@ class TimeStep : public Simulation {
     return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
   }
 
-  /// Adds a pass of the method itself to the end of `passes`.
+  /// Adds a pass of the method (not of an effect) to the end of `passes`.
   void add_pass(Passes& passes, const std::string& name, std::function<void(PassContext<Real>&)> run) {
     passes.push_back({std::move(run), add_statistics(name)});
   }
   /// Moves the effects' passes of one stage to the end of `passes`.
   void append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage);
-  /// An action of the method before or after `pass`, an effect's pass. Its time is added to that of `pass`.
+  /// An action of the method before or after `pass`, an effect's pass, whose time includes the action.
   static PlannedPass<Real> part_of(const PlannedPass<Real>& pass, auto action) {
     return {std::move(action), pass.statistics, false};
   }
   void run(const Passes& passes, PassContext<Real>& context);
 
-  /// Tests whether all positions are finite and within bounds. A method calls it once per substep, when
-  /// positions are final.
+  /// Tests whether all positions are finite and within bounds. A method calls this at the end of a substep.
   void find_divergence();
 
-  /// Calls task(first, last) on parts of [0, #V), side by side.
+  /// Calls task(first, last) on parts of [0, #V), in several threads.
   template <class Task>
   void for_vertices(const Task& task) {
-    // About 10 µs of one thread's work: for less, a second thread is not worthwhile.
+    // About 10 µs of one thread's work. With less work a second thread saves no time.
     constexpr std::size_t worthwhile_vertices = 16384;
     const auto count = static_cast<std::size_t>(state_.vertex_count);
     workers_.for_range(0, count, count >= worthwhile_vertices, task);

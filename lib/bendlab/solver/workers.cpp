@@ -12,7 +12,7 @@
 namespace bendlab {
 
 struct Workers::Arena {
-  // More workers than cores would only take turns on the cores. The range is still cut into `threads` parts.
+  // More workers than cores would not be faster. The range is still cut into `threads` parts.
   explicit Arena(int threads) : arena(std::min(threads, tbb::info::default_concurrency())) {}
   tbb::task_arena arena;
   std::atomic<std::int64_t> helper_nanoseconds = 0;

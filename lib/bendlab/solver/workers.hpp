@@ -1,4 +1,4 @@
-// Splits a range over a fixed number of threads; with one thread it is a plain call. The result of a task
+// Splits a range over a fixed number of threads; a single thread gets the whole range. The result of a task
 // must not depend on how the range is cut.
 #pragma once
 
@@ -14,8 +14,8 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Calls task(first, last) on equal parts of [first, last), one part per thread, side by side. If that is
-  /// not `worthwhile`, calls it once on the whole range.
+  /// Calls task(first, last) on equal parts of [first, last), one part per thread. If `worthwhile` is false,
+  /// calls task once on the whole range.
   template <class Task>
   void for_range(std::size_t first, std::size_t last, bool worthwhile, const Task& task) {
     if (threads_ == 1 || !worthwhile)
@@ -26,7 +26,7 @@ class Workers {
       });
   }
 
-  /// Seconds that threads other than the calling thread have worked so far.
+  /// Seconds of work so far, by all threads except the calling thread.
   double helper_seconds() const;
 
  private:

@@ -12,7 +12,7 @@
 
 
 def load(place):
-    """The runs of a folder of results, in the order of their configs, or the run of a single file. See
+    """For a folder of results: its runs, sorted by their configs. For a run file: the run. See
     bendlab.results.load.Run."""
     from pathlib import Path
     from bendlab.results import load as results

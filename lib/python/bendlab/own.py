@@ -1,8 +1,8 @@
 """Bending models, effects and measures that are written in Python.
 
-A class becomes part of bendlab when Python has read it: Scene and run() know a subclass of Model, Effect or
-Measure by its name in snake case ("EdgeHinge" is "edge_hinge"). A class of the same name replaces an earlier
-class.
+A subclass of Model, Effect or Measure becomes part of bendlab as soon as Python has read the class. Scene and
+run() know the class by its name in snake case ("EdgeHinge" is "edge_hinge"). If two classes have the same
+name, the later class replaces the earlier class.
 """
 import hashlib
 import inspect
@@ -35,8 +35,8 @@ class Setting:
             raise TypeError(f"{name}: a setting is a bool, int, float, str or list of numbers, not "
                             f"{self.default!r}")
         if kind in (int, float) and not self.minimum <= self.default <= self.maximum:
-            raise ValueError(f"{name}: its default {self.default} is not from {self.minimum} to "
-                             f"{self.maximum}")
+            raise ValueError(f"{name}: the default {self.default} is outside the range from "
+                             f"{self.minimum} to {self.maximum}")
         return {"name": name, "unit": self.unit, "meaning": self.meaning or name,
                 "type": "list" if kind is tuple else kind.__name__, "default": self.default,
                 "minimum": self.minimum, "maximum": self.maximum, "above": self.above}
@@ -48,9 +48,9 @@ def snake_name(name):
 
 
 def _code_of(cls):
-    """A text that identifies the version of a class: a run is computed again if this text differs. For a
-    class without a file, in a notebook for example, and for a class that a function makes, the text differs
-    each time that the class is defined."""
+    """A text that identifies the version of a class. If the text changes, a run is computed again. A class
+    without a file (in a notebook, for example) and a class that a function makes get a new text whenever the
+    class is defined."""
     functions = [member for member in vars(cls).values() if inspect.isfunction(member)]
     takes_from_outside = any(set(function.__code__.co_freevars) - {"__class__"} for function in functions)
     place = (cls.__module__, cls.__qualname__)
@@ -81,18 +81,19 @@ def setting_rows(cls):
 
 class Rest:
     """The mesh at rest, for a model or a measure. Arrays: `positions` (V, 3) in m, `triangles` (T, 3),
-    `pinned` (V) bool, `areas` (T) in m², and `hinges` (H, 4): the ends of every edge between two triangles
-    that has a free vertex, then the two vertices opposite the edge. A measure also gets `masses` (V) in
-    kg."""
+    `pinned` (V) bool, `areas` (T) in m², and `hinges` (H, 4): for each edge between two triangles,
+    the two ends of the edge, then the two vertices opposite the edge. Hinges whose vertices are all pinned
+    are left out. A measure also gets `masses` (V) in kg."""
 
     def __init__(self, arrays):
         vars(self).update(arrays)
 
 
 class Elements:
-    """The elements that a model makes from a mesh: `vertices` (E, k) of each element; `softness` (E), which
-    is multiplied by the scene's compliance, or by 1/B if the scene states a flexural_rigidity B; and the
-    model's own arrays, with E rows each, which `constraint` or `energy` gets back as members of `rest`."""
+    """The elements that a model makes from a mesh. `vertices` (E, k): the vertices of each element.
+    `softness` (E): is multiplied by the scene's compliance, or by 1/B if the scene states a flexural_rigidity
+    B. `rest`: further arrays of the model, with E rows each; `constraint` or `energy` reads these arrays as
+    members of its argument `rest`."""
 
     def __init__(self, vertices, softness=1.0, **rest):
         self.vertices = np.ascontiguousarray(vertices)
@@ -120,7 +121,7 @@ class Elements:
 
 
 def _evaluator(model, elements):
-    """function(which, corners) → (values, gradients), in the shapes that the solver needs."""
+    """The function(which, corners) → (values, gradients) that the solver calls. It checks the shapes."""
     is_energy = hasattr(model, "energy")
     function = model.energy if is_energy else model.constraint
     name = f"{type(model).__name__}.{'energy' if is_energy else 'constraint'}"
@@ -143,7 +144,7 @@ def _evaluator(model, elements):
 
 
 def build_elements(model, arrays):
-    """For the extension module: (vertices, softness, evaluate, is_energy) of a model on a mesh."""
+    """(vertices, softness, evaluate, is_energy) of a model on a mesh, for the extension module."""
     elements = model.elements(Rest(arrays))
     if not isinstance(elements, Elements):
         raise TypeError(f"{type(model).__name__}.elements() returned {type(elements).__name__}, "
@@ -153,7 +154,7 @@ def build_elements(model, arrays):
 
 
 def _small_sheet():
-    """A sheet of 3 by 3 squares of 0.1 m, irregular: (V, 3) at rest, (T, 3)."""
+    """An irregular sheet of 3 by 3 squares of 0.1 m: vertices (V, 3) at rest, triangles (T, 3)."""
     n = 4
     random = np.random.default_rng(1)
     x, y = np.meshgrid(np.arange(n), np.arange(n))
@@ -165,9 +166,9 @@ def _small_sheet():
 
 
 def check_gradient(model):
-    """Compares a model's gradients with central differences, on a sheet of 0.1 m edges whose vertices were
-    moved by up to 1 cm. Raises ValueError, with both numbers, if a gradient differs by more than 10⁻⁵ of
-    the largest difference quotient."""
+    """Compares a model's gradients with central differences, on a sheet of 0.1 m edges whose vertices are
+    moved by up to 1 cm. Raises ValueError if a gradient is wrong by more than 10⁻⁵ of the largest central
+    difference."""
     vertices, triangles = _small_sheet()
     arrays = _core.rest_of(vertices, triangles.astype(np.int32))
     corners_of, _, evaluate, _ = build_elements(model, arrays)
@@ -177,8 +178,8 @@ def check_gradient(model):
     corners, which = moved[corners_of], np.arange(len(corners_of), dtype=np.int32)
     values, gradients = evaluate(which, corners.copy())
     if not (np.isfinite(values).all() and np.isfinite(gradients).all()):
-        raise ValueError(f"{type(model).__name__}: a value or a gradient is not finite on a sheet without "
-                         "flaws")
+        raise ValueError(f"{type(model).__name__}: a value or a gradient is not finite on a small test "
+                         "sheet without flaws")
     step = 1e-6
     differences = np.empty_like(gradients)
     for corner in range(corners.shape[1]):
@@ -194,20 +195,21 @@ def check_gradient(model):
         moved = np.abs(gradients.sum(axis=1))
         if moved.max() > allowed:
             element = moved.max(axis=1).argmax()
-            raise ValueError(f"{type(model).__name__}: the value of element {element} depends on where the "
-                             "element is: its gradients do not sum to zero")
+            raise ValueError(f"{type(model).__name__}: the value of element {element} changes if all its "
+                             "vertices move by the same vector: the gradients do not sum to zero")
         return
     element, corner, axis = np.unravel_index(wrong.argmax(), wrong.shape)
     raise ValueError(
-        f"{type(model).__name__}: this is not the gradient of the value. Element {element}, vertex {corner} "
-        f"of {corners.shape[1]}, d/d{'xyz'[axis]}: returned {gradients[element, corner, axis]:.6g}, central "
-        f"differences give {differences[element, corner, axis]:.6g}")
+        f"{type(model).__name__}: the returned gradient is not the gradient of the value. Element {element}, "
+        f"vertex {corner} of {corners.shape[1]}, d/d{'xyz'[axis]}: returned "
+        f"{gradients[element, corner, axis]:.6g}, central differences give "
+        f"{differences[element, corner, axis]:.6g}")
 
 
 # ---- effects
 
 def acceleration_of(effect, x, v, t, masses):
-    """For the extension module: (V, 3) in m/s²."""
+    """The acceleration by an effect, (V, 3) in m/s², for the extension module."""
     if hasattr(effect, "acceleration"):
         acceleration = np.asarray(effect.acceleration(x, v, t), float)
         return np.broadcast_to(_checked(acceleration, x, effect, "acceleration"), x.shape)
@@ -227,7 +229,7 @@ def _checked(vectors, x, effect, name):
 # ---- measures
 
 class Measure:
-    """Base class of your own measures. A run names a measure in "output": {"measures": […]}.
+    """Base class of your own measures. A config lists its measures in "output": {"measures": […]}.
 
         class Height(bl.Measure):
             '''where the cloth is'''
@@ -243,8 +245,8 @@ class Measure:
             def finish(self, x):
                 return {"height": x[:, 2].mean()}
 
-    Everything that a measure keeps from frame to frame has to be in its attributes, and pickle has to be able
-    to write them: a run that was stopped goes on with them.
+    A measure has to store what it needs in later frames in its attributes, and pickle has to be able to write
+    these attributes, because a stopped run continues with them.
     """
 
     columns, numbers = {}, {}
@@ -271,7 +273,7 @@ def measured_frame(measure, x, t):
 
 
 def _named(measure, method, metrics, names):
-    """The values in the order of their names."""
+    """The values of `metrics`, in the order of `names`."""
     if not isinstance(metrics, dict) or set(metrics) != set(names):
         raise ValueError(f"{type(measure).__name__}.{method}() returned {metrics!r}, expected a dict of "
                          f"{', '.join(names)}; None stands for a metric that could not be computed")

@@ -13,24 +13,24 @@ from bendlab.settings import plain
 
 
 def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measures=(), progress=False):
-    """Makes the runs of an experiment and returns a row for each: a pandas.DataFrame if there is pandas, else
-    a structured array.
+    """Computes the runs of an experiment, and returns a table with a row for each run: a pandas.DataFrame if
+    pandas is installed, otherwise a structured array.
 
-    config: a Scene, a dict as in a config file, or the path of one.
+    config: a Scene, a dict as in a config file, or the path of a config file.
     sweep: settings to vary, in addition to the config's own sweep:
         {"/mesh/cells": [16, 32], "/bending": [bl.Crossover(), bl.DiscreteShells()]}. The last setting varies
-        fastest. "mesh.cells" is "/mesh/cells".
+        fastest. "mesh.cells" means "/mesh/cells".
     jobs: how many runs are computed at the same time; 0: as many as there are cores.
-    out: folder of the run files. A run that is there and complete is not computed again, unless `force`.
+    out: folder of the run files. Runs that are complete in this folder are computed again only with `force`.
     name: name of the experiment, which is a folder in `out`. A Scene without a name is called "scene".
-    measures: names or classes of measures to add to those that every run has: your own measures, or measures
-        that the program computes only on request.
-    progress: shows on stderr how many runs are over.
+    measures: names or classes of additional measures: your own measures, or measures that the program
+        computes only on request.
+    progress: shows on stderr how many runs are finished.
 
     Columns: the settings that vary; status, message, cpu_s (s), file; and the metrics of the runs, which
-    `bendlab measures` explains. Raises ConfigError, with every problem, for a config that is wrong. If a run
-    fails, `message` says why. Ctrl-C ends the runs after their current frame; the same call then continues
-    them.
+    `bendlab measures` explains. If the config is wrong, raises ConfigError with all problems. If a run
+    fails, `message` says why. Ctrl-C stops the runs after their current frames; if you repeat the call, the
+    runs continue.
     """
     if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 0:
         raise ValueError(f"jobs: expected a whole number of at least 0, got {jobs!r}")
@@ -66,8 +66,8 @@ def _settings_of(config, name, out):
 
 
 def _written(vertices, triangles, folder):
-    """Writes a mesh file, from which a run can be repeated, and returns its path. Coordinates have enough
-    digits to be read back as the same numbers."""
+    """Writes a mesh file, so that the run can be repeated, and returns the path of the file. Coordinates have
+    enough digits to be read as exactly the same numbers."""
     lines = [*("v " + " ".join(map(repr, row)) for row in vertices.tolist()),
              *("f " + " ".join(str(corner + 1) for corner in row) for row in triangles.tolist())]
     text = "\n".join(lines) + "\n"
@@ -90,7 +90,7 @@ def _measure_name(measure):
 
 
 def _warn(rows):
-    """Gives each kind of warning once, with the number of runs that have it."""
+    """Gives one Python warning for each warning code, with the number of runs that have the warning."""
     texts = {}
     for row in rows:
         for code, message in row.get("warnings", ()):
@@ -129,5 +129,5 @@ def _table(rows):
 
 
 def _cell(value):
-    """A swept value as a cell of the table; a list or an object as JSON."""
+    """The value of a setting as a cell of the table. Lists and objects become JSON."""
     return json.dumps(value) if isinstance(value, (dict, list)) else value

@@ -1,4 +1,4 @@
-"""A scene, and the cloth that it becomes."""
+"""A scene, and the cloth that is made from the scene."""
 import json
 import sys
 import warnings
@@ -17,7 +17,7 @@ class Mesh(make_class("Mesh", [PARTS["mesh"]])):
     def __init__(self, vertices=None, triangles=None, **settings):
         super().__init__(**settings)
         if (vertices is None) != (triangles is None):
-            raise TypeError("a mesh from arrays needs both: Mesh(vertices, triangles)")
+            raise TypeError("a mesh from arrays needs both arrays: Mesh(vertices, triangles)")
         self._arrays = () if vertices is None else _checked(vertices, triangles)
         beside = sorted({"generator", "file", "width", "height", "cells", "diagonal", "rows", "radius",
                          "radius_top"}
@@ -31,7 +31,7 @@ class Mesh(make_class("Mesh", [PARTS["mesh"]])):
 
 
 def _checked(vertices, triangles):
-    """(V, 3) float64 and (T, 3) int64, or a ValueError that says what is wrong."""
+    """The arrays as (V, 3) float64 and (T, 3) int64. If an array is wrong, raises ValueError."""
     points, corners = np.asarray(vertices), np.asarray(triangles)
     for name, array, kinds, what in (("vertices", points, "fiu", "numbers"),
                                      ("triangles", corners, "iu", "whole numbers")):
@@ -66,8 +66,8 @@ Initial = make_class("Initial", [PARTS["initial"]])
 
 
 def _instance(wanted, what):
-    """A converter for values that are assigned to a part: it returns an object of the class `wanted`, and
-    raises an error that says `what` is expected for any other value."""
+    """Returns a converter for values that are assigned to a part. The converter accepts objects of the class
+    `wanted`, and raises TypeError for all other values; `what` says what is expected."""
     def convert(value):
         if not isinstance(value, wanted):
             raise TypeError(f"expected {what}, got {value!r}")
@@ -76,13 +76,13 @@ def _instance(wanted, what):
 
 
 def _pins(value):
-    """Pins from a value: Pins, or places by name and vertices by index, as a list or a single value."""
+    """Makes Pins from a name of a place, an index of a vertex, or a list of names and indices."""
     if isinstance(value, Pins):
         return value
     if isinstance(value, (str, int)):
         value = [value]
     if not hasattr(value, "__iter__"):
-        raise TypeError(f"expected Pins(…), or a list of places and of vertices, got {value!r}")
+        raise TypeError(f"expected Pins(…), or a list of names and indices of vertices, got {value!r}")
     names = [entry for entry in value if isinstance(entry, str)]
     return Pins(vertices=names, indices=[entry for entry in value if not isinstance(entry, str)])
 
@@ -101,7 +101,7 @@ class Material(make_class("Material", [PARTS["material"]])):
 
 class Scene(make_class("Scene", [SCENE])):
     """All settings of a simulation. Every setting has a default: Scene() is a sheet of 1 m that hangs from a
-    corner in air. The scene's files are relative to `folder`."""
+    corner in air. `folder`: where relative paths of files start."""
 
     mesh = Part(_instance(Mesh, "Mesh(…) or grid(…)"), PARTS["mesh"].meaning)
     pins = Part(_pins, PARTS["pins"].meaning)
@@ -125,10 +125,10 @@ class Scene(make_class("Scene", [SCENE])):
 
     def config(self):
         """The scene as a config of `bendlab run`, without the defaults. Raises ValueError for a mesh from
-        arrays, which has no place in a config; run() takes the scene itself."""
+        arrays, because a config cannot contain arrays; run() accepts the scene itself."""
         if self.mesh._arrays:
-            raise ValueError("a mesh from arrays has no place in a config: give run() the scene, or write "
-                             "the mesh to a file and name it, Mesh(file=…)")
+            raise ValueError("a config cannot contain a mesh from arrays: give run() the scene, or write the "
+                             "mesh to a file and use Mesh(file=…)")
         return self._config()
 
     def _config(self):
@@ -142,7 +142,7 @@ class Scene(make_class("Scene", [SCENE])):
         return config
 
     def simulate(self):
-        """A cloth that can be stepped. Raises ConfigError with everything that is wrong."""
+        """The cloth of this scene, at time 0. If the scene is wrong, raises ConfigError with all problems."""
         return Cloth(self)
 
     def _arguments(self):
@@ -155,8 +155,8 @@ _effect = _instance(Effect, f"an effect: {', '.join(EFFECTS)}")
 
 
 class Cloth(_core.Cloth):
-    """A cloth that moves. The cloth's arrays are views of memory that is filled anew whenever the array is
-    read from the cloth again: copy() keeps a state. The arrays stay valid after the cloth is gone."""
+    """A cloth that moves. The cloth's arrays are views. When an array is read from the cloth again, the
+    numbers in earlier views change, too; copy() stores a state. Views outlive the cloth."""
 
     def __init__(self, scene):
         if not isinstance(scene, Scene):
@@ -169,8 +169,8 @@ class Cloth(_core.Cloth):
 
     @property
     def pins(self):
-        """(P, 3), m: where the pinned vertices, in the order of `pinned`, are at the end of the next step.
-        Write to it, cloth.pins[:] = …, to move them; they move evenly during the step."""
+        """(P, 3), m: positions of the pinned vertices, in the order of `pinned`, at the end of the next step.
+        To move pins, write to this array: cloth.pins[:] = … Pins move evenly during a step."""
         return super().pins
 
     @pins.setter
@@ -181,9 +181,9 @@ class Cloth(_core.Cloth):
         return f"<Cloth of {len(self.masses)} vertices at {self.time:.6g} s>"
 
     def run(self, seconds, progress=False):
-        """Steps until that many seconds are over, or further steps would change nothing. Ctrl-C ends this
-        call between two steps. `progress`: True shows on stderr which share is done; a function is called
-        with that share."""
+        """Steps until `seconds` are over, or until further steps would change nothing. Ctrl-C ends this call
+        between two steps. `progress`: True shows the finished share on stderr; a function is called with the
+        finished share."""
         show = progress if callable(progress) else _show if progress else None
         super().run(seconds, show)
         if show is _show:

@@ -1,4 +1,4 @@
-"""Classes of settings, made from the program's tables of fields: there is no second list of settings."""
+"""Classes of settings, made from the program's tables of settings, so that no setting is listed twice."""
 import difflib
 import json
 import keyword
@@ -7,13 +7,13 @@ from bendlab import _core, own
 
 
 def class_name(name):
-    """"discrete_shells" → "DiscreteShells"; a word that Python keeps for itself gets an underscore."""
+    """"discrete_shells" → "DiscreteShells"; a Python keyword gets an underscore."""
     camel = "".join(word.capitalize() for word in name.split("_"))
     return camel + "_" * keyword.iskeyword(camel)
 
 
 def plain(value):
-    """Converts settings, and NumPy's numbers and arrays, for json.dumps()."""
+    """Converts settings, and numbers and arrays of NumPy, for json.dumps()."""
     if isinstance(value, (Model, Method, Effect)):
         return value._config()
     if isinstance(value, Settings):
@@ -63,7 +63,7 @@ class Settings:
         return tuple(default) if isinstance(default, list) else default
 
     def _stated(self, table):
-        """The given settings of a table, for JSON."""
+        """The settings of `table` that were given, for JSON."""
         return {table.key(name): value for name, value in self._given.items() if name in table.defaults}
 
     def _arguments(self):
@@ -103,7 +103,7 @@ def _error(cls, name, text):
 
 
 class Part:
-    """A member of a scene that has settings of its own: `convert` turns an assigned value into it."""
+    """A member of a scene that has settings of its own. `convert` makes it from an assigned value."""
 
     def __init__(self, convert, meaning):
         self._convert, self.__doc__ = convert, meaning
@@ -119,8 +119,8 @@ class Part:
 
 
 class _Table:
-    """A table of the program, with the defaults by name. A field whose name is in `taken` gets the
-    table's name as a prefix: if a model has a setting k of its own, the k of /bending is called bending_k."""
+    """A table of the program's settings, with the defaults by name. A setting whose name is in `taken` gets
+    the table's name as a prefix: if a model has its own setting k, the k of /bending is called bending_k."""
 
     def __init__(self, table, taken=()):
         self.name, self.pointer, self.meaning, self._program = table.name, table.pointer, table.meaning, table
@@ -140,7 +140,7 @@ class _Table:
         return self._program.read(self.key(name), text)
 
     def beside(self, table):
-        """This table, for a class that has the settings of `table`, too."""
+        """This table, for a class that also has the settings of `table`."""
         taken = set(self.defaults) & set(table.defaults)
         return _Table(self._program, taken) if taken else self
 
@@ -177,8 +177,8 @@ def base_of(cls):
 
 
 def _require_current(member):
-    """The program knows classes by their names: when a class is defined again, the new class replaces the
-    old class."""
+    """Raises TypeError if the class of `member` was defined again. The program knows classes by their names,
+    so the new class has replaced the old class."""
     current = _CURRENT.get((base_of(type(member)), member._name), type(member))
     if current is not type(member):
         raise TypeError(f"{type(member).__name__} was defined again after this scene was made: make the "
@@ -186,11 +186,11 @@ def _require_current(member):
 
 
 def _read_own(cls, register, tables, shared):
-    """Makes a class that is written in Python a part of the program, with its settings as properties."""
+    """Registers a class that is written in Python, and makes properties of its settings."""
     taken = [row["name"] for row in own.setting_rows(cls) for table in shared
              if row["name"] in table.defaults]
     if taken:
-        raise TypeError(f"{cls.__name__}: {taken[0]} is a setting that every class of its family has: choose "
+        raise TypeError(f"{cls.__name__}: all classes of this kind already have a setting {taken[0]}: choose "
                         "another name")
     cls._rows = {**getattr(cls, "_rows", {}), **{row["name"]: row for row in own.setting_rows(cls)}}
     register(cls, own.about(cls), list(cls._rows.values()))
@@ -205,7 +205,7 @@ def _read_own(cls, register, tables, shared):
 
 
 class Model(Settings):
-    """A bending model: its own settings, and those that all models share.
+    """A bending model, with its own settings and the settings that all models share.
 
     Your own model is a subclass, which Scene and run() know by its name in snake case:
 
@@ -227,8 +227,9 @@ class Model(Settings):
 
     Instead of `constraint`, a model may have `energy(self, x, rest)`, which returns U and its gradient; the
     energy of an element is then U / α. `rest` has the arrays that were given to Elements, for these n
-    elements. Values may not depend on where an element is. An element whose value is NaN does not act. When
-    Python reads the class, bendlab compares its gradient with finite differences.
+    elements. A value must not change if all vertices of its element move by the same vector. An element whose
+    value is NaN does not act. When Python reads the class, bendlab compares the gradient with finite
+    differences.
     """
 
     def __init_subclass__(cls, **arguments):
@@ -251,7 +252,7 @@ class Model(Settings):
 
 
 class Method(Settings):
-    """A solver method: its own settings, and those that all methods share."""
+    """A solver method, with its own settings and the settings that all methods share."""
 
     def _config(self):
         return {"method": self._name, **self._given}
@@ -269,10 +270,10 @@ class Effect(Settings):
             def acceleration(self, x, v, t):        # (V, 3) in m and m/s, t in s
                 return -(2 * np.pi * self.frequency) ** 2 * x
 
-    Instead of `acceleration` (m/s²) an effect may have `force` (N). Both return (V, 3), or (3,) for all
-    vertices, and are called at the start of every substep. Attributes of the class state traits of the
-    effect: `damps = True` if the effect only slows the cloth, `keeps_momentum = True` if it leaves the
-    cloth's linear momentum unchanged.
+    Instead of `acceleration` (m/s²) an effect may have `force` (N). The function is called at the start of
+    every substep, and returns (V, 3), or (3,) for all vertices. Set `damps = True` in the class if the effect
+    only slows the cloth, and `keeps_momentum = True` if the effect does not change the cloth's linear
+    momentum.
     """
 
     def __init_subclass__(cls, **arguments):

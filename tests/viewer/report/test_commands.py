@@ -239,7 +239,7 @@ class View(Place):
     def test_without_a_browser_the_command_prints_the_path_of_the_page(self):
         done = self.run_program("view", "results/some", "-o", "watch.html")
         self.assertEqual((done.returncode, done.stdout), (0, "watch.html\n"))
-        self.assertIn("there is no browser to open it in", done.stderr)
+        self.assertIn("there is no browser to open the page in", done.stderr)
 
     def test_live_needs_exactly_one_run(self):
         self.assertIn("--live shows one run", self.wrong("view", "results/some", "results/some", "--live"))

@@ -21,7 +21,7 @@ export function bottomAxis({ scale, ticks, text }, box, title, grid) {
   return group;
 }
 
-/** The axis left of the plot; its title stands above it and is not rotated. */
+/** The axis left of the plot. Its title is above the axis and is not rotated. */
 export function leftAxis({ kind, scale, ticks, text }, box, title) {
   const group = svg("g", { class: "axis", "aria-hidden": "true" });
   for (const tick of ticks) {

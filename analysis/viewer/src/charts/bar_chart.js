@@ -1,4 +1,4 @@
-/** Bars made of parts, one bar below the other: where the time goes. */
+/** A chart of bars that consist of parts, for example of the time of each pass. */
 import { html, svg } from "../page/dom.js";
 import { openRuns } from "../page/data.js";
 import { number, titled, withUnit } from "../page/numbers.js";

@@ -2,7 +2,7 @@
 
 const EVERY_MS = 60;
 
-/** Calls `show` with the player's time whenever it has changed, while the figure is in sight. */
+/** While the figure is visible, calls `show` with the player's time whenever the time has changed. */
 export function followPlayer(figure, show) {
   let timer = null,
     shown = null;

@@ -1,4 +1,4 @@
-/** The controls around a plot: choices, switches, its data, its command. */
+/** The controls around a plot: lists, switches, and buttons for the plot's data and command. */
 import { button, copy, html, save } from "../page/dom.js";
 import { csvOf } from "./csv.js";
 
@@ -12,7 +12,7 @@ export function choice(label, texts, at, chosen) {
   return html("label", { class: "choice" }, html("span", {}, label), select);
 }
 
-/** A button that stays pressed; `change` gets whether it is. */
+/** A button that stays pressed; `change` gets whether the button is pressed. */
 export function toggle(text, on, change, title) {
   const made = button(
     text,
@@ -26,7 +26,7 @@ export function toggle(text, on, change, title) {
   return made;
 }
 
-/** Buttons for a chart's data and the command that made it. */
+/** Buttons for the data of a chart, and for the command that made the chart. */
 export function takeAway(chart) {
   const parts = [
     button("CSV", () => save(`${chart.id}.csv`, csvOf(chart), "text/csv;charset=utf-8"), {

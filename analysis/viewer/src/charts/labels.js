@@ -1,8 +1,8 @@
 /** Labels beside the ends of curves, moved apart where they would overlap. */
 
 /**
- * The places nearest to `wanted` at which labels of one height do not overlap, in their order, between low
- * and high where they fit.
+ * The positions nearest to `wanted` at which labels of this height do not overlap. The labels stay in order,
+ * and between low and high if there is room.
  * @param {number[]} wanted @param {number} height @param {number} low @param {number} high
  */
 export function apart(wanted, height, low, high) {

@@ -1,4 +1,4 @@
-/** The series' names: buttons that show and hide them, beside the ends of their curves if there is room. */
+/** The names of series, as buttons that show or hide a series, beside the ends of curves if there is room. */
 import { html } from "../page/dom.js";
 import { apart } from "./labels.js";
 import { sample } from "./look.js";
@@ -37,7 +37,7 @@ export class Legend {
         class: "series-name",
         "aria-pressed": !this.hidden.has(label),
         onclick: press,
-        title: "Show or hide; with Shift: show only this series",
+        title: "Show or hide this series; with Shift: show only this series",
         onpointerenter: () => this.pointed(label),
         onpointerleave: () => this.pointed(null),
         onfocus: () => this.pointed(label),
@@ -52,7 +52,7 @@ export class Legend {
     if (!this.hidden.delete(label)) this.hidden.add(label);
   }
 
-  // Shows only this series; a second time all series.
+  // Shows only this series; if no other series is shown, shows all series.
   #only(label) {
     const alone = this.hidden.size === this.buttons.size - 1 && !this.hidden.has(label);
     this.hidden = new Set(alone ? [] : [...this.buttons.keys()].filter((other) => other !== label));
@@ -75,7 +75,7 @@ export class Legend {
   }
 
   /**
-   * Puts the names beside the ends of their curves; names of curves without an end stand below.
+   * Puts the names beside the ends of their curves, and below them the names of curves without a visible end.
    * @param {Map<string, number>} ends label → y in px
    * @param {number} left @param {number} top @param {number} bottom
    * @returns {Map<string, number>} label → y of its name, for curves with an end

@@ -1,4 +1,4 @@
-/** Curves over a number, or points beside the names of categories, with ranges over runs. */
+/** A chart of curves over a number, or of points beside the names of categories. Points may have a range. */
 import { line } from "d3-shape";
 import { button, html, svg } from "../page/dom.js";
 import { titled } from "../page/numbers.js";
@@ -36,7 +36,7 @@ export class LineChart {
     return this.chart.ys[this.state.metric];
   }
 
-  /** Draws other data of the same kind: the same series with more points. */
+  /** Draws the chart again with other data, for example with more points. */
   replace(chart) {
     Object.assign(this.chart, chart);
     this.draw();
@@ -105,7 +105,8 @@ export class LineChart {
     if (chart.x.name === "time") followPlayer(this.figure, (time) => this.#markTime(time));
   }
 
-  // Starts with a logarithmic axis if the chart states one, or else if the numbers differ widely.
+  // Starts with the axis that the chart states, logarithmic or linear. If the chart states none, the axis is
+  // logarithmic if the numbers differ widely.
   #startLog() {
     const all = shownPoints(this.chart, { ...this.state, hidden: new Set() })
       .flatMap(({ points }) => points.map((p) => p.y))
@@ -176,7 +177,7 @@ export class LineChart {
     );
   }
 
-  // The indices of the shown categories. With held axes these are the categories that have points.
+  // The indices of the categories to show: all, or in a chart with `held` axes the categories with points.
   #categories() {
     const all = this.chart.x.categories.map((_, i) => i);
     if (!this.chart.held?.length) return all;
@@ -190,7 +191,7 @@ export class LineChart {
     return Math.min(longest * 7.8 + 16, width * 0.42);
   }
 
-  // The number of series that stand side by side at a category.
+  // The number of series whose points are drawn side by side at a category.
   #dodged() {
     return this.chart.dodge === false ? 1 : Math.max(1, this.shown.length);
   }
@@ -249,7 +250,8 @@ export class LineChart {
     return all.filter((limit) => !this.state.log || limit.value > 0);
   }
 
-  // A limit far from the numbers would flatten the curves: it is shown at the edge instead.
+  // Whether a limit is drawn as a line. A limit far from the numbers would flatten the curves, so only the
+  // text of the limit is drawn, at the edge.
   #isNear(limit, values) {
     const numbers = values
       .filter(Number.isFinite)
@@ -312,7 +314,7 @@ export class LineChart {
     return group;
   }
 
-  // The place of a point in pixels; an infinite value stands at the edge.
+  // Sets the position of a point in pixels. A point with an infinite value is at the edge.
   #put(p, i, box) {
     const far = this.bands ? box.right : box.top;
     const least = this.value.scale.domain()[0];
@@ -365,7 +367,7 @@ export class LineChart {
       );
   }
 
-  // If there are many points, only a part of them has a mark: enough to recognise the curve by its marks.
+  // If a curve has many points, only about nine of the points have a mark.
   #marks({ series, points }) {
     const every = points.length > 45 ? Math.ceil(points.length / 9) : 1;
     return points
@@ -421,7 +423,7 @@ export class LineChart {
       );
   }
 
-  /** Shows the places between two ends; null: all. */
+  /** Shows the part of the axis between two ends; null: the whole axis. */
   zoom(ends) {
     if (this.bands) return;
     this.state.zoom = ends;

@@ -1,4 +1,4 @@
-/** Colours and marks of series. Python chooses them (analysis/tables/looks.py); here they only become SVG. */
+/** Draws series as SVG, in the style (`look`: colours, mark, dash) that analysis/tables/looks.py chooses. */
 import {
   symbol,
   symbolCircle,
@@ -22,7 +22,7 @@ const SHAPES = {
   x: symbolTimes,
 };
 
-/** Gives an element its series' colour, which the style sheet chooses for light and dark. */
+/** Gives an element the two colours of a series; the style sheet takes the colour for light or dark pages. */
 export function paint(element, look) {
   element.style.setProperty("--light", look.light);
   element.style.setProperty("--dark", look.dark);
@@ -35,7 +35,7 @@ export function markPath(look, area = 52) {
   return symbol(SHAPES[look.mark] ?? symbolCircle, area)();
 }
 
-// Drawn as lines without an inside.
+// Marks that consist of lines, without an area to fill.
 const CROSSED = ["X", "x"];
 
 /** A mark at a place. */
@@ -48,7 +48,7 @@ export function mark(look, x, y, area) {
   });
 }
 
-/** A legend's sample: a mark with a piece of line, for bars a square. @param {"line"|"mark"|"bar"} kind */
+/** A sample in the legend: a mark on a line, or a square for bars. @param {"line"|"mark"|"bar"} kind */
 export function sample(look, kind = "line") {
   const width = kind === "line" ? 26 : 14;
   const picture = svg("svg", {

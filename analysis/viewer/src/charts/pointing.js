@@ -1,4 +1,4 @@
-/** What the pointer and the keys do in a plot of curves: values, zoom, and the runs behind a point. */
+/** What the pointer and the keys do in a plot of curves: show values, zoom, open the runs of a point. */
 import { html, svg } from "../page/dom.js";
 import { openRuns } from "../page/data.js";
 import { minus, number, withUnit } from "../page/numbers.js";
@@ -15,7 +15,7 @@ export class Pointing {
     this.#listen();
   }
 
-  /** Puts the cursor and the values into a new picture; nothing is pointed at. */
+  /** Adds the cursor and the box of values to a new picture. The pointer is at no point. */
   renew() {
     this.cursor = svg("g", { class: "cursor" });
     this.owner.picture.append(this.cursor);
@@ -131,7 +131,7 @@ export class Pointing {
     event.preventDefault();
   }
 
-  // Moves along the series, or to the next series at this place.
+  // Moves to the next point of the series, or to the next series at the same position on the axis.
   #step(key) {
     const forward = this.owner.bands ? ["ArrowDown", "ArrowUp"] : ["ArrowRight", "ArrowLeft"];
     const seen = this.owner.shown.map(({ points }) => points).filter((points) => points.length);
@@ -186,7 +186,7 @@ export class Pointing {
   }
 }
 
-// A place on an axis as in the config, without trailing zeros.
+// The text of a value on the axis, without trailing zeros.
 function exact(x, unit) {
   const text =
     Math.abs(x) >= 1e5 || (x !== 0 && Math.abs(x) < 1e-3)

@@ -1,11 +1,11 @@
-/** The visible points of a chart, without hidden series, other values of held axes and missing numbers. */
+/** The visible points of a chart: of shown series, at the chosen values of `held` axes, with a number. */
 import { value } from "../page/numbers.js";
 
 /**
  * @param {Object} chart as in the page's data
  * @param {{metric: number, held: number[], hidden: Set<string>}} state
- * @returns {{series: Object, points: Object[]}[]} points have x, y, low, high, runs; y may be infinite: a run
- *   that diverged
+ * @returns {{series: Object, points: Object[]}[]} points have x, y, low, high, runs; y is infinite
+ *   for a run that diverged
  */
 export function shownPoints(chart, { metric, held, hidden }) {
   const name = chart.ys[metric].name;

@@ -3,11 +3,11 @@ import { scaleLinear, scaleLog, scalePoint } from "d3-scale";
 import { minus, raised } from "../page/numbers.js";
 
 /**
- * The scale of an axis over [low, high], its ticks and how these are written.
+ * The scale of an axis, its ticks, and the function that writes a tick as text.
  * @param {"linear"|"log"|"log2"|"band"} kind
  * @param {number[]|string[]} domain two ends, or the categories
  * @param {[number, number]} range pixels
- * @param {number[]} [values] places that ticks may stand at: those of a sweep
+ * @param {number[]} [values] possible ticks: the values of a sweep
  * @param {number} [gap] the least distance of ticks in px
  */
 export function axisScale(kind, domain, range, values, gap = 64) {
@@ -25,13 +25,13 @@ export function axisScale(kind, domain, range, values, gap = 64) {
   return { kind, scale, ticks: logTicks(domain, count), text: logText };
 }
 
-/** px; a narrower chart is not drawn, as while a page is laid out. */
+/** px. A narrower chart is not drawn, because the browser is still laying out the page. */
 export const LEAST_WIDTH = 160;
 
 const LEAST = 1e-6; // share of the largest number; smaller numbers are rounding and would stretch a log axis
 
-/** The ends of numbers with some room; `log`: of the positive ones, with room as a factor; `zero`: from there
- * if they come near it. */
+/** The ends of an axis: the range of the numbers, and some room. `log`: only positive numbers
+ * count, and the room is a factor. `zero`: an axis that would begin near zero begins at zero. */
 export function extent(numbers, log, room = 0.06, zero = true) {
   const fine = numbers.filter((x) => Number.isFinite(x) && (!log || x > 0));
   if (!fine.length) return log ? [0.1, 1] : [0, 1];
@@ -47,7 +47,7 @@ export function extent(numbers, log, room = 0.06, zero = true) {
   return [low - space, high + space];
 }
 
-// Those of 1, 2, 5 and powers of ten that fit.
+// Round multiples of powers of ten, as many as there is room for.
 function logTicks([low, high], count) {
   const decades = Math.log10(high / low);
   const leading = decades < 1.4 ? [1, 2, 3, 5, 7] : decades < 3 ? [1, 2, 5] : [1];
@@ -64,7 +64,7 @@ function logTicks([low, high], count) {
   return scaleLinear().domain([low, high]).ticks(count);
 }
 
-// Keeps the first of values that are too close to one another.
+// Leaves out values, so that ticks are at least `gap` px apart.
 function spaced(values, scale, gap) {
   const kept = [];
   for (const x of [...values].sort((a, b) => a - b)) {

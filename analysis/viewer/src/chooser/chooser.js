@@ -1,5 +1,5 @@
-/** Which model for my mesh: finds the measured run that fits the user's wishes. analysis/pages/start.py makes
- * the data. */
+/** The form "Which model for my mesh?", which shows the measured run that fits the user's wishes.
+ * analysis/pages/start.py makes the data. */
 import { choice } from "../charts/controls.js";
 import { button, copy, html } from "../page/dom.js";
 import { pageData } from "../page/data.js";
@@ -73,7 +73,8 @@ function answered(result, asked, data) {
     html(
       "p",
       { class: "small grey" },
-      "The whole scene in which it was measured: take bending and solver, or save it and run it with ",
+      "This config is the whole scene of the run. Copy bending and solver from the config, or save the " +
+        "config as FILE and call ",
       html("code", {}, "./bendlab run FILE"),
       ".",
     ),
@@ -119,7 +120,7 @@ function facts(run, asked, data) {
           "stiffness/index.html#calibrated",
           "stiffness",
         )
-      : html("li", { class: "grey" }, "How its stiffness changes with the resolution was not measured on such meshes."),
+      : html("li", { class: "grey" }, "Stiffness against resolution was not measured on such meshes."),
   );
 }
 

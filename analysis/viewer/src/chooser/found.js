@@ -25,7 +25,7 @@ export function found(data, asked) {
     asked.cells,
   );
   if (cells !== asked.cells) notes.push(otherSize(cells, asked.cells));
-  // The cheapest run may be on a coarser mesh.
+  // If the cost matters, runs on all meshes count: the cheapest run may be on a coarser mesh.
   if (cells !== asked.cells || asked.matters !== "cost") runs = runs.filter((run) => run.cells === cells);
   const unknown = Math.max(...runs.map((run) => run.unknown));
   if (asked.goal === "error" && asked.most < unknown)
@@ -45,7 +45,7 @@ function otherSize(cells, wanted) {
   return (
     `Nothing was measured on ${wanted} cells, so this run has ${cells} cells. If time grows with the vertices, ` +
     `a step on ${wanted} cells takes ${factor}${times >= 1 ? " long" : " time"}. The error there is not known` +
-    `${times > 1 ? ": finer meshes need more substeps" : ""}; ./bendlab advise CONFIG measures your own.`
+    `${times > 1 ? ": finer meshes need more substeps" : ""}; ./bendlab advise CONFIG measures your scene.`
   );
 }
 
@@ -54,8 +54,8 @@ function nearest(values, wanted) {
   return values.reduce((best, x) => (distance(x) < distance(best) ? x : best));
 }
 
-// The runs of each model and method. With the paper's stiffness, which defines no cloth, a model counts as
-// another model.
+// Groups the runs by model and method. Runs with the paper's stiffness, which defines no cloth, are groups of
+// their own.
 function groups(runs) {
   const byModel = new Map();
   for (const run of runs) {
@@ -65,8 +65,9 @@ function groups(runs) {
   return byModel.values();
 }
 
-// Of one model: the cheapest run within the error, or the most accurate run within the time; else the run that
-// comes nearest to the bound. An error below the uncertainty of the reference counts as this uncertainty.
+// The best run of a model: the cheapest run within the allowed error, or the most accurate run within the
+// allowed time. If no run is within this bound, the run nearest to the bound. An error below the uncertainty
+// of the reference counts as this uncertainty.
 function bestOf(runs, { goal, most }, unknown) {
   const [bound, wanted] = goal === "error" ? ["error", "ms"] : ["ms", "error"];
   const least = (some, name) => some.reduce((best, run) => (run[name] < best[name] ? run : best));
@@ -86,7 +87,7 @@ function compare(a, b, { goal, matters }, data) {
   return a.run[wanted] - b.run[wanted];
 }
 
-// The share of the hard cases that fail; a model without hard cases comes last.
+// The share of the hard cases in which the model fails; 1 for a model without hard cases.
 function share(run, data) {
   const [red, count] = data.stability[""]?.[run.model] ?? [1, 1];
   return red / count;

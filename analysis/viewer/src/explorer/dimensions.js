@@ -1,4 +1,4 @@
-/** The dimensions that compare runs: the axes of their sweeps, and their metrics. */
+/** The dimensions along which the explorer compares runs: the axes of sweeps, and the metrics. */
 import { pageData } from "../page/data.js";
 import { value } from "../page/numbers.js";
 
@@ -11,7 +11,7 @@ const DECADE = 10; // numbers whose largest is at least this many times the smal
  * @property {string[]|null} texts the values of an axis, in order
  * @property {Object[]|null} looks of these values
  * @property {"band"|"linear"|"log"} scale
- * @property {(run: Object) => number} of a run's number, or the index of its text; NaN: the run has neither
+ * @property {(run: Object) => number} of the run's number, or the index of its text; NaN: the run has none
  * @property {(run: Object) => string|null} text of a run's value on an axis
  */
 

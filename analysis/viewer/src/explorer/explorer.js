@@ -1,4 +1,4 @@
-/** All runs of a report at once: parallel coordinates, groups, and any number against any other. */
+/** Shows all runs of a report at once: parallel coordinates, groups, and a chart of any two numbers. */
 import { choice } from "../charts/controls.js";
 import { LineChart } from "../charts/line_chart.js";
 import { openRuns, pageData } from "../page/data.js";
@@ -105,7 +105,7 @@ class Explorer {
     this.#mark();
   }
 
-  // Shows the chosen runs, like the rest of the page.
+  // Draws the curves of the runs that are not chosen pale, and shows the groups of the chosen runs.
   #mark() {
     const chosen = this.runs.filter((run) => isChosen([run.id]));
     const all = chosenRuns() === null;

@@ -1,4 +1,4 @@
-/** The runs in groups with equal values on an axis: size of each group, and medians of its metrics. */
+/** A table of groups of runs with equal values on an axis: number of runs, and medians of metrics. */
 import { html } from "../page/dom.js";
 import { number, titled } from "../page/numbers.js";
 import { sample } from "../charts/look.js";

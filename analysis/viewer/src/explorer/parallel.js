@@ -1,5 +1,5 @@
-/** Parallel coordinates: an upright line for each dimension, a curve for each run. Dragging along a line chooses
- * the runs that pass there. */
+/** Parallel coordinates: an upright line for each dimension, a curve for each run. Dragging along a part of a
+ * line chooses the runs whose curves cross this part. */
 import { line } from "d3-shape";
 import { axisScale, extent } from "../charts/scales.js";
 import { paint } from "../charts/look.js";
@@ -36,7 +36,7 @@ export class Parallel {
     this.#draw();
   }
 
-  /** The ids of the runs inside all ranges; null without a range. */
+  /** The ids of the runs that are inside the dragged range of every line; null without a dragged range. */
   get inside() {
     if (!this.ranges.size) return null;
     const within = (run) =>
@@ -160,7 +160,7 @@ function scaleOf(dimension, runs) {
   const far = (x) => {
     if (Number.isNaN(x)) return NaN;
     const y = x === Infinity ? TOP - 6 : logarithmic && x <= 0 ? Infinity : own.scale(x);
-    return Math.min(Math.max(y, TOP - 6), HEIGHT - BOTTOM + 6); // numbers beyond the axis stand at its end
+    return Math.min(Math.max(y, TOP - 6), HEIGHT - BOTTOM + 6); // numbers beyond the axis are put at its end
   };
   return { scale: far, ticks: own.ticks.map((value) => ({ value, y: own.scale(value) })), text: own.text };
 }

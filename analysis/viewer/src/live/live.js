@@ -1,4 +1,4 @@
-/** A page of a run that is going on asks for its new frames, shows them, and says when the run is over. */
+/** The live page of a run that is being computed: asks the server for new frames, and shows these frames. */
 import { pageData } from "../page/data.js";
 import { number } from "../page/numbers.js";
 import { forget } from "../player/runs.js";
@@ -9,13 +9,13 @@ const calls = {
   diverged: "The run diverged.",
 };
 
-/** Starts to ask for frames, if the page's data say that its run is going on. */
+/** Starts to ask for frames, if the page's data say that the run is being computed. */
 export function startLive() {
   const { live } = pageData();
   const line = document.getElementById("live");
   if (!live || !line) return;
   for (const element of document.querySelectorAll(".player")) {
-    // the newest frame, not the first
+    // begins with the newest frame, not with the first frame
     if (element.player) Object.assign(element.player, { time: Infinity, played: true });
   }
   let have = `${live.frames}-running`,
@@ -33,7 +33,7 @@ export function startLive() {
       missed = 0;
     } catch {
       if (++missed >= 3)
-        line.textContent = "No answer: bendlab view --live has ended. The page keeps its frames.";
+        line.textContent = "The server does not answer: bendlab view --live has ended. The frames here stay.";
     }
     setTimeout(ask, 1000 * live.every * Math.min(2 ** missed, 16));
   }
@@ -55,7 +55,7 @@ async function show(news, line) {
   if (news.chart && figure?.chart) figure.chart.replace(news.chart);
 }
 
-// Keeps the cameras; a player that showed the last frame then shows the new last frame.
+// Reads the frames of a player again. Cameras stay. A player at the last frame goes to the new last frame.
 async function renew(player) {
   if (!player || player.disposed || !player.views.length) return;
   const atEnd = player.time >= player.last - 1e-9 || player.playing;

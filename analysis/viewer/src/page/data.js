@@ -1,4 +1,4 @@
-/** The page's data, and the events between its parts. */
+/** The data of the page, and the event by which a part of the page opens runs. */
 
 let read = null;
 

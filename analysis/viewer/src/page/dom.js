@@ -5,14 +5,14 @@ const SVG = "http://www.w3.org/2000/svg";
 /**
  * An HTML element.
  * @param {string} tag
- * @param {Object<string, any>} [attributes] `on…` functions are listeners; missing and false ones are left out
+ * @param {Object<string, any>} [attributes] `on…`: a listener; a missing or false value: no attribute
  * @param {...(Node|string|null|undefined|false)} children
  */
 export function html(tag, attributes = {}, ...children) {
   return filled(document.createElement(tag), attributes, children);
 }
 
-/** An SVG element; arguments as of html(). */
+/** An SVG element; the arguments are those of html(). */
 export function svg(tag, attributes = {}, ...children) {
   return filled(document.createElementNS(SVG, tag), attributes, children);
 }
@@ -32,7 +32,7 @@ export function button(text, press, attributes = {}) {
   return html("button", { type: "button", class: "button", onclick: press, ...attributes }, text);
 }
 
-/** Puts text on the clipboard, also in a page from file://, and says so on the button for a moment. */
+/** Copies text to the clipboard, also in a page from file://. The button shows the result for a moment. */
 export async function copy(text, from) {
   const said = (await clipboard(text)) ? "Copied" : "Press Ctrl-C";
   if (!from) return;
@@ -58,7 +58,7 @@ async function clipboard(text) {
   }
 }
 
-/** Offers text to the user as a file. */
+/** Offers text to the user as a file to save. */
 export function save(name, text, type) {
   const address = URL.createObjectURL(new Blob([text], { type }));
   const link = html("a", { href: address, download: name });

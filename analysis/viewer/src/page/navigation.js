@@ -1,4 +1,4 @@
-/** Marks the section in sight in the navigation. */
+/** Marks the visible section in the navigation. */
 export function startNavigation() {
   const links = new Map(
     [...document.querySelectorAll(".bar nav a")].map((link) => [link.hash.slice(1), link]),

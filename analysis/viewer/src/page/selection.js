@@ -1,4 +1,4 @@
-/** Which runs of a page are chosen. The explorer chooses; tables, charts and groups follow. */
+/** Which runs of a page are chosen. The user chooses in the explorer; tables and charts show the choice. */
 let chosen = null;
 
 /** @returns {Set<string>|null} ids; null: all runs */

@@ -20,7 +20,7 @@ function chunk(type, data) {
   return bytes;
 }
 
-/** Numbers of [bytes, value], most significant byte first. */
+/** The bytes of numbers from [size in bytes, value], most significant byte first. */
 function fields(...pairs) {
   const bytes = new Uint8Array(pairs.reduce((sum, [size]) => sum + size, 0)), view = new DataView(bytes.buffer);
   let at = 0;
@@ -38,7 +38,7 @@ async function deflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-/** Rows of RGB, each minus the row above (filter 2). */
+/** The rows of an RGB picture, each minus the row above (filter 2 of PNG). */
 function rowsOf({ data, width, height }) {
   const bytes = new Uint8Array(height * (1 + 3 * width));
   for (let y = 0, to = 0; y < height; ++y) {

@@ -1,4 +1,4 @@
-/** The colour bar: a quantity, its unit, and the range that the colours cover, which can be changed. */
+/** The colour bar: a quantity, its unit, and the range of the colours, which the user can change. */
 import { html } from "../page/dom.js";
 import { number } from "../page/numbers.js";
 
@@ -52,12 +52,12 @@ export class ColourBar {
   }
 }
 
-/** Sets a text field unless the user is typing in it: pictures are drawn meanwhile. */
+/** Sets a text field, but not while the user is typing in it. */
 function put(input, x) {
   if (document.activeElement !== input) input.value = plain(x);
 }
 
-/** A number as text that can be typed again. */
+/** A number as text that the user can edit. */
 function plain(x) {
   return String(Number(x.toPrecision(3)));
 }

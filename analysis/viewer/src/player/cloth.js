@@ -1,7 +1,7 @@
 /**
- * The moving surface of one run, three times: as triangles that share no corner, each with its own colour and
- * lines (fine); as triangles that share all corners except the last, which gives the colour (quick); and as
- * triangles that share all corners (for the shadow). Without a graphics card corners are the largest cost.
+ * The moving surface of one run, in three forms. Fine: triangles share no corner, so that each has a colour
+ * and lines. Quick: triangles share all corners except the last corner, which gives the colour. Shadow:
+ * triangles share all corners. Without a graphics card, the number of corners determines the time.
  */
 import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh as Drawn, Sphere, Vector3 } from "three";
 
@@ -59,7 +59,7 @@ export class Cloth {
     return geometry;
   }
 
-  /** Values of triangles (T), or of vertices (V) if `smooth`; null: none. */
+  /** Colours the cloth by values of triangles (T), or of vertices (V) if `smooth`; null: no colours. */
   colour(values, smooth = false) {
     this.material.uniforms.coloured.value = Boolean(values);
     this.values = values ? { values, smooth } : null;
@@ -101,7 +101,7 @@ function emptyGeometry({ vertices, index }) {
   return geometry;
 }
 
-/** Corner t is the last of triangle t and gives it its flat colour; the other corners are shared. */
+/** Corner t is the last corner of triangle t and gives this triangle its colour. Other corners are shared. */
 function sharedCorners({ triangles, triangleCount, vertexCount }) {
   const last = new Uint32Array(triangleCount), corner = new Int32Array(vertexCount).fill(-1);
   for (let t = 0; t < triangleCount; ++t) {
@@ -152,7 +152,7 @@ export function vertexNormals(positions, triangles, normals) {
   }
 }
 
-/** Möller and Trumbore: the nearest triangle that a ray meets, from either side. null if none. */
+/** The nearest triangle that a ray meets, from either side (Möller and Trumbore); null without a triangle. */
 export function pickedTriangle(origin, direction, positions, triangles) {
   let best = null;
   for (let i = 0; i < triangles.length; i += 3) {

@@ -12,7 +12,7 @@ export class Compare {
     this.ranges = new Map();
   }
 
-  /** Where a view's rest shape lies on that of another view; null if they are not the same cloth. */
+  /** The map from a view's rest shape to another view's rest shape; null if their cloths are different. */
   map(view, other) {
     const key = `${view.run.id} ${other.run.id}`;
     if (!this.maps.has(key)) {
@@ -22,13 +22,13 @@ export class Compare {
     return this.maps.get(key);
   }
 
-  /** The quantities that can be chosen, with the names that they then have. */
+  /** The quantities that the user can choose; with a reference, the differences in these quantities. */
   choices(reference) {
     return this.quantities.filter(({ key }) => reference || key !== "distance").map((quantity) =>
       reference ? compared(quantity) : quantity);
   }
 
-  /** A quantity as it is shown. */
+  /** The quantity with this key; with a reference, the difference in this quantity. */
   quantity(key, reference) {
     const found = this.quantities.find((each) => each.key === key) ?? this.quantities[0];
     return reference ? compared(found) : found;
@@ -48,7 +48,7 @@ export class Compare {
              smooth: false };
   }
 
-  /** The range of the colours: the user's, else that of the quantity, else that of the data. */
+  /** The range of the colours: the user's choice, or the range of the quantity, or the range of the data. */
   range(key, views, reference) {
     const name = `${key} ${reference?.run.id ?? ""}`;
     if (!this.ranges.has(name)) {
@@ -62,7 +62,7 @@ export class Compare {
     this.ranges.set(`${key} ${reference?.run.id ?? ""}`, range);
   }
 
-  /** From the 5th to the 99.5th percentile of some frames, rounded outward. */
+  /** The range of the values in some frames, up to the 99.5th percentile, which is rounded up. */
   #measured(quantity, views, reference) {
     const seen = [];
     for (const view of views)
@@ -90,7 +90,7 @@ function compared(quantity) {
            meaning: `This run minus the other run. ${quantity.meaning}` };
 }
 
-/** To 1, 2 or 5 times a power of ten. */
+/** Rounds up to 1, 2 or 5 times a power of ten. */
 function roundUp(x) {
   if (!(x > 0)) return 0;
   const unit = 10 ** Math.floor(Math.log10(x));

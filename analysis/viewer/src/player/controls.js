@@ -57,7 +57,7 @@ export class Controls {
                   this.message, this.panel.element, this.notes, this.keys];
   }
 
-  /** An empty view for each run. */
+  /** Adds an empty view for each run. */
   showCells(runs) {
     this.cells = runs.map((run) => {
       const name = html("span", { class: "player-name" }, run.label);
@@ -96,7 +96,7 @@ export class Controls {
     cell.querySelector(".player-note").textContent = text;
   }
 
-  /** The list of the player's runs in which the user chooses the shown runs; hidden for a single run. */
+  /** Fills the list in which the user chooses the runs to show. A player with a single run has no list. */
   showRuns(shown) {
     const { player } = this;
     this.runs.hidden = player.ids.length < 2;
@@ -162,7 +162,7 @@ export class Controls {
     this.reference.value = player.referenceId ?? "";
   }
 
-  /** Updates the time and the meaning of the colours. */
+  /** Updates the clock and the colour bar. */
   tell(quantity, range) {
     const { player } = this;
     const digits = player.last - player.first < 0.2 ? 4 : 2;
@@ -181,7 +181,7 @@ export class Controls {
     }
   }
 
-  /** A sentence below the picture, which goes away. */
+  /** Shows a sentence below the picture for six seconds. */
   say(text) {
     this.message.textContent = text;
     clearTimeout(this.saying);

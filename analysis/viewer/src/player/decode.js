@@ -1,5 +1,5 @@
 /**
- * Decodes the frames that analysis/draw/frames.py packed, by the scheme of analysis/draw/frame_coding.py.
+ * Decodes the frames that analysis/draw/frames.py packed. analysis/draw/frame_coding.py explains the coding.
  * Lengths in m, times in s.
  */
 
@@ -29,12 +29,12 @@ export class Frames {
   constructor(head, text) {
     this.head = head;
     this.text = text;
-    // Everything except the frames after the first, which come last: enough for a first picture
+    // Everything before the second frame, because this is enough for a first picture
     this.bytes = bytesOf(text.slice(0, 4 * Math.ceil(head.sections.frames.offset / 3)));
     this.vertices = head.vertices;
     this.count = head.count;
     this.times = Float64Array.from(head.times);
-    this.decoded = 0; // frames that can be asked for
+    this.decoded = 0; // number of decoded frames
     this.lattice = null; // (count, V, 3) integers
   }
 
@@ -74,7 +74,7 @@ export class Frames {
     if (++this.decoded === this.count) this.#decoder = null;
   }
 
-  /** Decodes the other frames, a few at a time. @param {() => boolean} wanted false stops it */
+  /** Decodes all frames after the first, a few at a time. @param {() => boolean} wanted false: stop */
   async decodeAll(wanted = () => true) {
     if (this.decoded === this.count) return;
     this.preparing ??= this.#prepare();
@@ -86,7 +86,7 @@ export class Frames {
     }
   }
 
-  /** (rows · columns) of a section: Float32Array or Uint32Array; null if there is none. */
+  /** The numbers of a section (rows · columns), Float32Array or Uint32Array; null without this section. */
   async array(name) {
     const section = this.head.sections[name];
     if (!section) return null;
@@ -96,7 +96,7 @@ export class Frames {
       : summed(numbers, section.rows, section.columns);
   }
 
-  /** (V · 3) positions of a frame that is decoded, into `out`. */
+  /** Writes the positions of a decoded frame to `out` (V · 3). */
   positions(frame, out = new Float32Array(3 * this.vertices)) {
     const { origin: [x, y, z], step } = this.head;
     const from = frame * this.vertices * 3;
@@ -120,7 +120,7 @@ export class Frames {
   }
 }
 
-/** 4-byte numbers from planes: column by column, the first byte of all rows, then the second … */
+/** 4-byte numbers from planes of bytes: for each column the first byte of all rows, then the second byte … */
 function joined(planes, rows, columns) {
   const numbers = new Uint32Array(rows * columns);
   const bytes = new Uint8Array(numbers.buffer);

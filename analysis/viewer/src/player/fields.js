@@ -1,10 +1,10 @@
 /**
  * Quantities of a frame, computed from its positions: per triangle (T) or per vertex (V).
- * The program's own definitions: lib/bendlab/metrics/stretch.hpp, lib/bendlab/mesh/quality.hpp,
+ * The definitions are those of the program: lib/bendlab/metrics/stretch.hpp, lib/bendlab/mesh/quality.hpp,
  * lib/bendlab/bending/models/discrete_shells.cpp.
  */
 
-/** Principal stretches of a triangle; both 1 where it has no area at rest. */
+/** Principal stretches of a triangle; both are 1 for a triangle without area at rest. */
 export function stretchesOf(mesh, positions, t) {
   const { inverse } = mesh.frames;
   const { triangles } = mesh;
@@ -39,8 +39,9 @@ export function principalDirections(mesh, positions, t) {
 
 /** Largest error of a principal stretch because positions are rounded to multiples of `step`. */
 export function stretchUncertainty(mesh, t, step) {
-  // Two edge vectors, each off by at most √3 step (half a step at both ends, on three axes): |δE| ≤ √6 step.
-  // A singular value of E Q moves by at most |δE| |Q|.
+  // The error of an edge vector is at most √3 step: half a step at each end, on three axes. E is the matrix
+  // of the two edge vectors, so |δE| ≤ √6 step. With Q, the inverse of E at rest, a singular value of E Q
+  // changes by at most |δE| |Q|.
   return Math.sqrt(6) * step * mesh.frames.reach[t];
 }
 
@@ -63,7 +64,7 @@ function shapeOf(mesh, positions, t) {
   return sum > 0 ? 4 * Math.sqrt(3) * area / sum : 0;
 }
 
-/** (E) signed angle between the two triangles of each hinge, radians; 0 where they are one plane. */
+/** (E) signed angle between the two triangles of each hinge, radians; 0 for a flat hinge. */
 function hingeAngles(vertices, positions) {
   const angles = new Float64Array(vertices.length / 4);
   for (let e = 0, i = 0; e < angles.length; ++e, i += 4) {
@@ -81,7 +82,7 @@ function hingeAngles(vertices, positions) {
   return angles;
 }
 
-/** Per hinge: rest angle and edge² / (2 · area), E = D edge² (θ - θ0)² / (2 area). */
+/** Per hinge: the rest angle θ0 and the weight w = edge² / (2 · area) of its energy E = D w (θ - θ0)². */
 function restHinges(mesh) {
   if (mesh._restHinges) return mesh._restHinges;
   const { vertices, faces } = mesh.hinges;
@@ -125,7 +126,7 @@ export const FIELDS = {
   bending: bendingOf,
 };
 
-/** (V) distance in m from another cloth at the same points of the rest shape. */
+/** (V) distance in m between two cloths, at points that coincide at rest. */
 export function distances(positions, map, others) {
   const values = new Float32Array(positions.length / 3), place = [0, 0, 0];
   for (let v = 0; v < values.length; ++v) {
@@ -136,7 +137,7 @@ export function distances(positions, map, others) {
   return values;
 }
 
-/** (T) values minus those of another cloth. */
+/** (T) values minus the values of another cloth. */
 export function differences(values, map, others) {
   return values.map((value, t) => value - others[map.face(t)]);
 }

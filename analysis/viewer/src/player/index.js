@@ -1,8 +1,8 @@
-/** Fills every element of class "player": a player that begins when it comes into view. */
+/** Makes a player of every element of class "player". */
 import { Player } from "./player.js";
 
 /**
- * Makes a player of an element with data-runs. It reads its runs when it comes into view.
+ * Makes a player of an element with data-runs. The player reads its runs when the element comes into view.
  * @returns {Player} dispose() frees its graphics context
  */
 export function makePlayer(element) {
@@ -17,7 +17,7 @@ export function makePlayer(element) {
   return player;
 }
 
-/** Starts the players of the page. Later it starts and disposes of players for other parts of the page. */
+/** Makes the players of the page, and later makes and disposes of players on events of other parts. */
 export function startPlayers(root = document) {
   for (const element of root.querySelectorAll(".player")) makePlayer(element);
   document.addEventListener("bendlab:player", ({ detail }) => makePlayer(detail.element));

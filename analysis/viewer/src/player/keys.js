@@ -1,7 +1,7 @@
 /** The keys of a player, and their list, which "?" opens. Keys act while the player has the focus. */
 import { html } from "../page/dom.js";
 
-/** [keys as event.key, with Shift+ or Ctrl+ before; keys as text; what they do; the action of the player] */
+/** [keys as in event.key, after Shift+ or Ctrl+; keys as text; what they do; the action of the player] */
 export const KEYS = [
   ["Time",
     [[" ", "k"], "Space", "play, pause", (p) => p.toggle()],
@@ -43,7 +43,7 @@ export const KEYS = [
     [["?"], "?", "this list", (p) => p.showKeys()]],
 ];
 
-/** Carries out a key event; returns whether it was a key of the player. */
+/** Handles a key event. Returns whether the key is a key of the player. */
 export function pressed(player, event) {
   if (event.altKey || event.metaKey || event.defaultPrevented) return false;
   const typed = event.target.closest("input:not([type=range]):not([type=checkbox]), textarea, select");
@@ -69,9 +69,9 @@ export function keysDialog() {
     dialog.close() }, "×");
   const dialog = html("dialog", { class: "player-keys", "aria-label": "Keys of the player" }, close,
     html("h3", {}, "Keys"),
-    html("p", {}, "The keys act while the player has the focus. Dragging turns the cloth; with the right " +
-      "button or two fingers it moves the picture. After a click on a view the wheel or two fingers zoom. " +
-      "A click or a tap shows values."),
+    html("p", {}, "The keys act while the player has the focus. Drag to turn the cloth; drag with the " +
+      "right button or two fingers to move the picture. Pinch to zoom, or click a view and turn the wheel. " +
+      "Click or tap the cloth to see values."),
     html("div", { class: "player-keys-list" }, ...KEYS.map(([name, ...keys]) => html("table", {},
       html("caption", {}, name), html("tbody", {}, ...keys.filter(([, text]) => text).map(([, text, what]) =>
         html("tr", {}, html("td", {}, html("kbd", {}, text)), html("td", {}, what))))))));

@@ -2,7 +2,7 @@
 
 const MOST = 8; // views
 
-/** Columns for a number of views in a given width. */
+/** The number of columns for a number of views in a given width. */
 export function columnsFor(count, width) {
   if (width < 620) return Math.min(count, 2);
   if (count <= 3) return count;

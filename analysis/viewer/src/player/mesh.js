@@ -1,6 +1,6 @@
-/** A rest mesh: its edges, rings, hinges, and where points of another mesh lie on it. Lengths in m. */
+/** A rest mesh: its edges, rings and hinges, and the map from another mesh to this mesh. Lengths in m. */
 
-/** A number for a pair of vertices in either order. */
+/** A number that identifies a pair of vertices, in either order. */
 const pairKey = (a, b) => (a < b ? a * 67108864 + b : b * 67108864 + a);
 
 export class Mesh {
@@ -13,19 +13,20 @@ export class Mesh {
     this.frames = restFrames(rest, triangles);
   }
 
-  /** (E · 4) interior edges a, b and the vertices c, d opposite; (E · 2) their triangles. */
+  /** Interior edges: (E · 4) the ends a, b and the opposite vertices c, d; (E · 2) the two triangles. */
   get hinges() {
     this._hinges ??= hingesOf(this.triangles);
     return this._hinges;
   }
 
-  /** First place of each vertex in `list` (V + 1) and the triangles around the vertices. */
+  /** `list`: the triangles around each vertex. `first` (V + 1): the index in `list` of the first triangle of
+   * each vertex. */
   get around() {
     this._around ??= trianglesAround(this.triangles, this.vertexCount);
     return this._around;
   }
 
-  /** (V) number of edges from a vertex; -1 where it can't be reached. */
+  /** (V) number of edges on the shortest path from a vertex; -1 without a path. */
   ringsFrom(vertex) {
     const rings = new Int32Array(this.vertexCount).fill(-1);
     rings[vertex] = 0;
@@ -52,8 +53,9 @@ export class Mesh {
   }
 }
 
-/** Per triangle: the inverse of its rest edges in its own plane (q0, q1, q2, q3), area, and the larger singular
- * value of that inverse; q is 0 where it has no area. As in lib/bendlab/metrics/stretch.cpp. */
+/** For each triangle: the inverse of the matrix of its rest edges in its plane (q0, q1, q2, q3), the larger
+ * singular value of this inverse (`reach`), and the area. A triangle without area has q = 0. As in
+ * lib/bendlab/metrics/stretch.cpp. */
 function restFrames(rest, triangles) {
   const count = triangles.length / 3;
   const inverse = new Float64Array(4 * count), areas = new Float64Array(count), reach = new Float64Array(count);
@@ -67,7 +69,7 @@ function restFrames(rest, triangles) {
     const height = Math.sqrt(hx * hx + hy * hy + hz * hz);
     areas[t] = length * height / 2;
     if (!(height > 1e-9 * length)) continue;
-    // The edges are (length, 0) and (along, height); their inverse, column by column
+    // The edges are (length, 0) and (along, height). The inverse of this matrix, column by column
     inverse[4 * t] = 1 / length;
     inverse[4 * t + 2] = -along / (length * height);
     inverse[4 * t + 3] = 1 / height;
@@ -103,7 +105,7 @@ function trianglesAround(triangles, vertices) {
   return { first, list };
 }
 
-/** Where points of one rest mesh lie on another: the nearest triangle and the shares of its corners. */
+/** The map from one rest mesh to another: for each vertex, the nearest triangle and weights of corners. */
 export class RestMap {
   /** @param {Mesh} from @param {Mesh} onto */
   constructor(from, onto) {
@@ -129,7 +131,7 @@ export class RestMap {
     this.farthest = farthest; // m; large if the two are not one cloth
   }
 
-  /** The vertex of the other mesh nearest to a vertex at rest. */
+  /** The vertex of the other mesh that is nearest to vertex v at rest. */
   vertex(v) {
     if (this.same) return v;
     const shares = this.shares.subarray(3 * v, 3 * v + 3);
@@ -140,7 +142,7 @@ export class RestMap {
     return this.same ? t : this.faceTriangle[t];
   }
 
-  /** Position of the other cloth at a vertex, into out (3). */
+  /** Writes the position of the other cloth at vertex v to `out` (3). */
   place(v, positions, out) {
     if (this.same) {
       for (let c = 0; c < 3; ++c) out[c] = positions[3 * v + c];
@@ -153,7 +155,7 @@ export class RestMap {
   }
 }
 
-/** Triangles by the cells of a grid, to find the nearest triangle. */
+/** A grid that lists the triangles in each of its cells, to find the nearest triangle quickly. */
 class TriangleGrid {
   constructor(mesh) {
     this.mesh = mesh;
@@ -209,7 +211,8 @@ class TriangleGrid {
   }
 }
 
-/** The point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5), by its shares. */
+/** The barycentric coordinates of the point of a triangle that is nearest to p, and its distance from p
+ * (Ericson, Real-Time Collision Detection, 5.1.5). */
 export function nearestOn(p, a, b, c) {
   const minus = (u, v) => [u[0] - v[0], u[1] - v[1], u[2] - v[2]];
   const dot = (u, v) => u[0] * v[0] + u[1] * v[1] + u[2] * v[2];

@@ -1,6 +1,6 @@
 /**
- * A camera that goes around a cloth, moved by dragging, pinching, the wheel or keys. z is up. Lengths are in
- * sizes of the cloth, from its centre (anchorViews), so that one camera suits runs of any size.
+ * A camera around a cloth. The user moves the camera by dragging, pinching, the wheel or keys. z is up.
+ * Lengths are in sizes of the cloth, from its centre (see anchorViews()), so that one camera suits any run.
  */
 import { PerspectiveCamera, Vector3 } from "three";
 
@@ -37,7 +37,7 @@ export class Orbit {
     this.moved = true;
   }
 
-  /** Moves the picture; x and y in heights of the picture. */
+  /** Moves the picture by shares of its height. */
   pan(right, up) {
     const [r, u] = this.axes();
     const far = 2 * this.distance * Math.tan(FIELD / 360 * Math.PI);
@@ -45,7 +45,8 @@ export class Orbit {
     this.moved = true;
   }
 
-  /** Frames points (n · 3, in sizes) in a picture of this aspect, unless the user has moved the camera. */
+  /** Moves the camera so that a picture of this aspect ratio shows the points (n · 3, in sizes). A camera
+   * that the user has moved stays. */
   frame(points, aspect) {
     if (!this.moved || !this.home) {
       const [right, up, back] = this.axes();
@@ -76,7 +77,7 @@ export class Orbit {
     this.moved = false;
   }
 
-  /** Sets a camera for cloth with this centre and size. */
+  /** Applies this orbit to a camera of three.js, for cloth with this centre and size. */
   place(camera, middle, size, aspect) {
     const back = this.axes()[2];
     const target = middle.map((x, i) => x + size * this.target[i]);
@@ -97,7 +98,7 @@ export const newCamera = () => new PerspectiveCamera(FIELD, 1, 0.01, 10);
 /**
  * Lets pointers and wheels move the camera of an element.
  * @param {(change: (orbit: Orbit) => void) => void} move
- * @param {(x: number, y: number) => void} click in pixels of the element, without a drag
+ * @param {(x: number, y: number) => void} click after a press without a drag, in pixels of the element
  */
 export function followPointers(element, move, click) {
   const pointers = new Map();
@@ -133,7 +134,7 @@ export function followPointers(element, move, click) {
   element.addEventListener("pointerup", up);
   element.addEventListener("pointercancel", up);
   element.addEventListener("contextmenu", (event) => event.preventDefault());
-  // The wheel scrolls the page: it zooms only if the view has the focus or the user holds a key.
+  // The wheel scrolls the page, and zooms only if the view has the focus or the user holds Ctrl or Meta.
   element.addEventListener("wheel", (event) => {
     if (!event.ctrlKey && !event.metaKey && !element.contains(document.activeElement)) return;
     event.preventDefault();

@@ -32,7 +32,7 @@ export class Panel {
     this.element.hidden = !picked.length;
     if (!picked.length) return;
     const [first] = picked;
-    // The user may be typing while pictures are drawn: the typed text stays.
+    // A number that the user is typing stays, although every new picture updates the panel.
     if (this.typing !== this.vertex) this.vertex.value = first.picked.vertex;
     if (this.typing !== this.triangle) this.triangle.value = first.picked.triangle ?? "";
     const row = (name, text, meaning = "") => html("tr", {}, html("th", { scope: "row", title: meaning }, name),
@@ -46,7 +46,7 @@ export class Panel {
         row("frame", (view) => `${view.frames.head.chosen[view.frame]} (${number(view.time, 4)} s)`),
         group("Vertex"),
         row("number", (view) => String(view.picked.vertex)),
-        row("position (m)", positionText, "x, y, z; exact within half of the page's step"),
+        row("position (m)", positionText, "x, y, z; the page rounds positions to multiples of a step"),
         row("rounded by at most (m)", (view) => `± ${number(view.frames.head.step / 2, 2)}`),
         row("from its rest place (m)", (view) => number(awayFromRest(view), 4)),
         row("speed (m/s)", (view) => number(speed(view), 3), "since the recorded frame before"),
@@ -55,7 +55,7 @@ export class Panel {
         row("number", (view) => view.picked.triangle === null ? "–" : String(view.picked.triangle)),
         row("vertices", (view) => view.picked.triangle === null ? "–"
           : [...view.mesh.triangles.subarray(3 * view.picked.triangle, 3 * view.picked.triangle + 3)].join(", ")),
-        row("stretch σ₁", (view) => stretchText(view, 0), "larger principal stretch; ± by the page's rounding"),
+        row("stretch σ₁", (view) => stretchText(view, 0), "larger principal stretch; ± error by rounding"),
         row("stretch σ₂", (view) => stretchText(view, 1), "smaller principal stretch"),
         ...extra.filter(({ of }) => of === "triangle").map(({ name, text }) => row(name, text))));
     this.#showSprings(picked);

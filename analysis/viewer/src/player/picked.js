@@ -43,7 +43,7 @@ export class Picked {
 
   /**
    * @param {number|null} vertex @param {number|null} triangle @param {object[]|null} springs see springsOf(); null:
-   * they are being read
+   * the springs are being read
    */
   set(vertex, triangle, springs) {
     this.vertex = vertex;
@@ -91,7 +91,7 @@ export class Picked {
     const places = [], colours = [];
     const line = (a, b, colour) => { places.push(...a, ...b); colours.push(...colour, ...colour); };
     for (let k = 0; k < 3; ++k) line(corners[k], corners[(k + 1) % 3], rgb("#1f2429"));
-    // As long as the stretch, for a triangle whose rest size is a fixed share of the cloth
+    // The length of an arrow at stretch 1: long enough to be visible on small triangles
     const unit = Math.max(0.09 * this.view.size, 2 * Math.sqrt(mesh.frames.areas[this.triangle]));
     const stretches = stretchesOf(mesh, positions, this.triangle);
     const directions = principalDirections(mesh, positions, this.triangle);
@@ -102,7 +102,7 @@ export class Picked {
       for (const way of [1, -1]) {
         const tip = middle.map((x, c) => x + way * half[c]);
         line(middle, tip, colour);
-        // Heads point outward where the cloth is stretched, inward where it is compressed
+        // Arrow heads point outward if the cloth is stretched, inward if it is compressed
         const inward = stretches[i] >= 1 ? 0.78 : 1.22;
         for (const side of [1, -1])
           line(tip, middle.map((x, c) => x + way * inward * half[c] + side * 0.13 * across[c]), colour);
@@ -118,7 +118,7 @@ export class Picked {
   }
 }
 
-/** A colour without three's colour management: sRGB as it is stored. */
+/** The sRGB values of a colour, without the colour management of three.js. */
 function rgb(hex) {
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 }
@@ -131,7 +131,7 @@ function fill(drawn, places, colours) {
 }
 
 /**
- * The constraints that act on a vertex, by how many edges away their farthest vertex is.
+ * The constraints that act on a vertex, by ring: the number of edges to a constraint's farthest vertex.
  * @param {Array<{columns: number, vertices: Uint32Array}>} kinds
  * @returns {Array<{ring: number, others: number[], count: number}>}
  */

@@ -64,7 +64,7 @@ export class Player {
     this.#dropViews();
     const runs = this.shownIds.map(runOf);
     this.controls.showCells(runs);
-    // Comes first, so that the graphics start while frames are read
+    // The stage comes first, so that the graphics start while frames are read
     if (runs.some((run) => run.frames) && !this.#makeStage()) return;
     const loaded = await Promise.all(runs.map(async (run) => {
       if (!run.frames) return { run, problem: run.remedy ?? "This run has no recorded frames." };
@@ -110,7 +110,7 @@ export class Player {
     if (this.turn === turn && !this.played && !this.disposed) this.play();
   }
 
-  /** Shows other runs out of the player's runs. */
+  /** Shows only these of the player's runs. */
   show(ids) {
     this.shownIds = ids.slice(0, most);
     if (!this.shownIds.includes(this.referenceId)) this.referenceId = null;
@@ -124,8 +124,8 @@ export class Player {
     try {
       this.stage = new Stage(this.controls.canvas);
     } catch {
-      this.controls.disable("The cloth can't be drawn: this browser has no WebGL 2. A newer browser, or hardware " +
-        "acceleration in its settings, helps.");
+      this.controls.disable("The cloth can't be drawn: this browser has no WebGL 2. Use a newer browser, " +
+        "or turn on hardware acceleration in the settings of this browser.");
       return false;
     }
     const { maps } = pageData().colours;
@@ -172,7 +172,8 @@ export class Player {
     this.draw();
   }
 
-  /** Points the cameras at the cloth, together or each at its own. Cameras that the user has moved stay. */
+  /** Points linked cameras at the cloth of all views, other cameras at the cloth of their view. A camera that
+   * the user has moved stays. */
   #frameAll() {
     if (!this.cells.length || !this.cells[0].width) return;
     const points = anchorViews(this.views);
@@ -194,13 +195,13 @@ export class Player {
     this.draw();
   };
 
-  /** Prepares for print: paper is white, and takes the current picture at once. */
+  /** Draws the current picture at once for print, on a white background. */
   #printed = () => {
     this.#restyled();
     this.drawNow();
   };
 
-  /** Moves the cameras: all cameras if they are linked, else the camera of a view. */
+  /** Moves all cameras if they are linked, otherwise the camera of one view. */
   move(change, view = this.focused ?? this.views[0]) {
     if (!view) return;
     change(view.orbit);
@@ -249,7 +250,7 @@ export class Player {
     this.draw();
   }
 
-  /** Goes to the next recorded frame of any run, or to the frame before. */
+  /** Goes forward by `count` recorded frames of all runs, or back if `count` is negative. */
   step(count) {
     if (!this.views.length) return;
     this.stop();
@@ -332,7 +333,7 @@ export class Player {
     this.setQuantity(keys[(keys.indexOf(this.key) + by + keys.length) % keys.length]);
   }
 
-  /** Compares with a run; null: with no run. */
+  /** Compares the other runs with this run; null: ends the comparison. */
   setReference(id) {
     const had = this.referenceId;
     this.referenceId = id;
@@ -367,7 +368,7 @@ export class Player {
 
   // --- drawing
 
-  /** Draws soon: at once as moving cloth is drawn, and finely when nothing has changed for a moment. */
+  /** Draws a coarse picture soon, and a fine picture when nothing has changed for a moment. */
   draw() {
     if (this.disposed) return;
     clearTimeout(this.refining);
@@ -381,8 +382,8 @@ export class Player {
     });
   }
 
-  /** Draws; returns whether the frame has changed. @param {boolean} moving the picture may be coarse
-   * @param {boolean} always draws also if the frame is the same */
+  /** Draws a picture. Returns whether a view shows another frame than before. @param {boolean} moving the
+   * picture may be coarse @param {boolean} always draws also if all frames are the same as before */
   drawNow(moving = false, always = !moving) {
     if (!this.stage || !this.views.length || this.disposed || !this.cells[0].width) return false;
     let changed = false;
@@ -430,7 +431,7 @@ export class Player {
     this.pick(view, view.mesh.triangles[3 * hit.triangle + corner], hit.triangle);
   }
 
-  /** Picks a vertex and a triangle (or null) of a view, and the same places of the other runs' cloth. */
+  /** Picks a vertex and a triangle (or null) of a view, and the nearest ones on the cloth of other views. */
   async pick(view, vertex, triangle) {
     const turn = this.pickTurn = {};
     const chosen = this.views.map((other) => {
@@ -521,7 +522,7 @@ export class Player {
     this.controls.showKeys();
   }
 
-  /** Frees everything, the graphics context too. */
+  /** Frees all resources, also the graphics context. */
   dispose() {
     this.stop();
     clearTimeout(this.refining);

@@ -55,7 +55,7 @@ export class Recorder {
     return blob;
   }
 
-  /** From the first frame to the last, at the speed that is set. A second call ends it early. */
+  /** Saves the motion from first to last frame, at the chosen speed. A second call ends the recording. */
   async animation() {
     const { player } = this;
     if (!player.views.length) return null;
@@ -94,7 +94,7 @@ export class Recorder {
     return new Promise((resolve) => {
       let start = null;
       const tick = (now) => {
-        // Time begins when the first picture is there
+        // The time starts when the first picture is drawn
         player.time = start === null ? player.first
           : Math.min(player.first + Math.max(0, now - start) / 1000 * player.speed, player.last);
         player.drawNow(true, true);
@@ -120,7 +120,7 @@ export class Recorder {
     return (performance.now() - start) / 3;
   }
 
-  /** Keeps the last picture for a moment, in which a slow machine encodes waiting pictures. */
+  /** Shows the last picture for a moment, so that a slow machine can encode all pictures. */
   async #hold(drawn) {
     for (let i = 0; i < 6; ++i) {
       await new Promise((resume) => setTimeout(resume, 120));

@@ -1,4 +1,4 @@
-/** Pictures and animations of a player: PNG, WebM where the browser records it, else animated PNG. */
+/** Saves pictures as PNG, and animations as WebM, or as animated PNG if the browser cannot record WebM. */
 import { ticksOf } from "./bar.js";
 
 /** Offers bytes as a file. */
@@ -68,7 +68,7 @@ function fitted(context, text, width) {
   return `${text.slice(0, end)}…`;
 }
 
-/** The WebM type that this browser records; null if none. */
+/** The WebM type that this browser can record; null if it cannot record WebM. */
 export function webmType() {
   if (typeof MediaRecorder === "undefined") return null;
   return ["video/webm;codecs=vp8", "video/webm;codecs=vp9", "video/webm"] // fastest to encode first
@@ -76,7 +76,7 @@ export function webmType() {
 }
 
 /**
- * Records a canvas while `play` draws pictures onto it, in their own time.
+ * Records a canvas in real time while `play` draws pictures onto it.
  * @param {HTMLCanvasElement} canvas @param {string} type
  * @param {(drawn: () => void) => Promise<void>} play calls drawn() after each picture
  */

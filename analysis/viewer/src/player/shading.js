@@ -1,6 +1,6 @@
 /**
- * How cloth, obstacles and the floor are lit: the same light as in the printed figures, analysis/draw/render.py,
- * whose constants come with the page. Colours in shaders are linear until the last line.
+ * The light on cloth, obstacles and the floor: the light of printed figures (analysis/draw/render.py), whose
+ * constants are in the page's data. Colours in shaders are linear until the last line.
  */
 import { DataTexture, DoubleSide, GLSL3, LinearFilter, RGBAFormat, ShaderMaterial, UnsignedByteType,
          Vector3 } from "three";
@@ -12,7 +12,7 @@ const LIT = /* glsl */`
   uniform float shadowTexel;
   uniform bool shadowed;
 
-  // Share of the light that arrives: a disc of samples, turned from pixel to pixel.
+  // Share of the light that arrives, from samples on a disc. Each pixel turns the disc by another angle.
   float lightAt(vec3 point, float radius, float bias, int taps) {
     if (!shadowed) return 1.0;
     vec3 place = (shadowMatrix * vec4(point, 1.0)).xyz;
@@ -56,7 +56,7 @@ export function lighting(colours) {
 const material = (light, vertexShader, fragmentShader, uniforms = {}, more = {}) => new ShaderMaterial({
   glslVersion: GLSL3, uniforms: { ...light, ...uniforms }, vertexShader, fragmentShader, ...more });
 
-/** A cloth whose triangles have a value each; `map` null: plain. */
+/** A cloth with a value for each triangle; without a `map` it has one colour. */
 export function clothMaterial(light, colours) {
   return material(light, /* glsl */`
     in float value;
@@ -105,7 +105,7 @@ export function clothMaterial(light, colours) {
     plain: { value: new Vector3(...PLAIN) } }, { side: DoubleSide });
 }
 
-/** The same for flat values of triangles that share corners, without lines; with a cloth's own uniforms. */
+/** A cloth whose triangles share corners, without lines, and with the uniforms of a clothMaterial(). */
 export function quickClothMaterial(cloth) {
   const flat = (text) => text.replace(/\b(in|out) float vValue;/, "flat $1 float vValue;");
   return new ShaderMaterial({ glslVersion: GLSL3, side: DoubleSide, uniforms: cloth.uniforms,
@@ -117,7 +117,7 @@ export function quickClothMaterial(cloth) {
 
 export const PLAIN = [0.80, 0.775, 0.715]; // linear; close to the low end of the stretch colours
 
-/** Another run's cloth where two are compared: a pale glass with an outline. */
+/** The cloth of the other run in a comparison: pale glass with an outline. */
 export function ghostMaterial(light) {
   return material(light, VERTEX, /* glsl */`
     uniform vec3 tint;
@@ -151,7 +151,7 @@ export function obstacleMaterial(light, colours) {
     }`, { base: { value: new Vector3(...colours.obstacle.map((c) => c ** 2.2)) } }, { side: DoubleSide });
 }
 
-/** A level floor that shows only the shadow, and ends in the distance. */
+/** A horizontal floor that shows only the shadow, and fades out at some distance. */
 export function floorMaterial(light) {
   return material(light, VERTEX, /* glsl */`
     ${LIT}
@@ -168,7 +168,7 @@ export function floorMaterial(light) {
     }`, { middle: { value: new Vector3() } }, { transparent: true, depthWrite: false, side: DoubleSide });
 }
 
-/** For the shadow map: depth alone. */
+/** The material for the shadow map, which needs only the depth. */
 export function shadowMaterial() {
   return new ShaderMaterial({
     glslVersion: GLSL3, side: DoubleSide, colorWrite: false,

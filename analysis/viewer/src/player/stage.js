@@ -5,10 +5,10 @@ import { DepthTexture, GLSL3, LinearSRGBColorSpace, Mesh as Drawn, NearestFilter
 
 import { OVER } from "./view.js";
 
-const FAST_MS = 18, SLOW_MS = 26; // between moving pictures: if faster they become finer, if slower coarser
-// Levels of detail, from cloth at rest to moving cloth on a slow machine. `ratio`: most pixels per pixel of the
-// page; `rings` · `turns`: pairs of samples for dark folds; `taps`: samples of the shadow map of `shadow`
-// pixels; `quick`: without lines (cloth.js).
+const FAST_MS = 18, SLOW_MS = 26; // ms per moving picture: faster pictures become finer, slower ones coarser
+// Levels of detail, from cloth at rest to moving cloth on a slow machine. `ratio`: most pixels per pixel of
+// the page. `rings` · `turns`: number of pairs of samples for dark folds. `taps`: number of samples of the
+// shadow map. `shadow`: pixels on each side of the shadow map. `quick`: without mesh lines (cloth.js).
 const LEVELS = [
   { ratio: 2, samples: 4, rings: 3, turns: 6, taps: 10, shadow: 1024, quick: false },
   { ratio: 1, samples: 0, rings: 2, turns: 3, taps: 4, shadow: 1024, quick: false },
@@ -53,8 +53,8 @@ export class Stage {
                   size: { value: 1 }, texel: { value: new Vector2() }, bounds: { value: new Vector4() },
                   rings: { value: 3 }, turns: { value: 4 } },
       vertexShader: "out vec2 place; void main() { place = 0.5 * position.xy + 0.5; gl_Position = vec4(position.xy, 0.0, 1.0); }",
-      // As _occlusion() of analysis/draw/render.py: two pixels on opposite sides count by how far their middle
-      // is in front, so that a plane is bright however it lies.
+      // As in _occlusion() of analysis/draw/render.py: a pixel is dark if the mean of two pixels on opposite
+      // sides is nearer to the camera than the pixel. So a plane is bright, whatever its direction.
       fragmentShader: /* glsl */`
         uniform sampler2D picture, depth;
         uniform float near, far, size;
@@ -94,7 +94,7 @@ export class Stage {
     this.#fit();
   }
 
-  /** Makes the canvas as large as the level asks for. */
+  /** Gives the canvas the size for the present level of detail. */
   #fit() {
     this.ratio = Math.min(devicePixelRatio || 1, LEVELS[this.level].ratio);
     const size = [this.width, this.height].map((x) => Math.max(1, Math.round(x * this.ratio)));
@@ -110,7 +110,7 @@ export class Stage {
     this.target = null;
   }
 
-  /** The target that the cloth is drawn into; null: the canvas, where folds are not darkened. */
+  /** The render target for the cloth; null: the cloth is drawn on the canvas, without dark folds. */
   #targetOf({ samples, rings }) {
     if (!rings) return null;
     if (this.target?.samples !== samples) this.#forget();
@@ -158,7 +158,7 @@ export class Stage {
     if (target) this.#darkenFolds(cells, boxes, how);
   }
 
-  /** Copies the picture to the canvas. */
+  /** Copies the picture to the canvas, and darkens folds. */
   #darkenFolds(cells, boxes, { rings, turns }) {
     const { renderer, canvas, target, quad: { material: { uniforms } } } = this;
     uniforms.rings.value = rings;
@@ -192,7 +192,7 @@ export class Stage {
     }
   }
 
-  /** Adapts the level of moving pictures to this machine. `took`: ms until a moving picture appeared. */
+  /** Adapts the detail of moving pictures to this machine. `took`: ms that a moving picture took. */
   judge(took) {
     this.times.push(took);
     if (this.times.length < 9) return;

@@ -100,7 +100,7 @@ export class View {
     return this.shadowTarget;
   }
 
-  /** Aims the light at the cloth as it is, so that no texel of the shadow map is wasted. */
+  /** Fits the shadow map to the present shape of the cloth, so that no texel is wasted. */
   #aimShadow() {
     const toLight = new Vector3(...this.colours.light);
     const { low, high } = roughBox(this.cloth.positions);
@@ -120,11 +120,11 @@ export class View {
     const away = (this.floor.position.z - centre[2]) / toLight.z;
     this.floor.position.setX(centre[0] + away * toLight.x).setY(centre[1] + away * toLight.y);
     this.floor.scale.set(reach * 1.1 / toLight.z, reach * 1.1 / toLight.z, 1);
-    // The softness is a length on the cloth
+    // The soft edge of the shadow has a fixed width, relative to the size of the cloth
     this.light.shadowTexel.value = 0.0042 * this.size / (2 * reach) * 0.6;
   }
 
-  /** Shows the frame of a time; returns whether the frame has changed. */
+  /** Shows the frame at a time. Returns whether another frame was shown before. */
   goTo(time) {
     const frame = this.frames.frameAt(time);
     if (frame === this.frame) return false;
@@ -145,7 +145,7 @@ export class View {
     return this.frames.times[this.frame];
   }
 
-  /** Shows another run's cloth as a ghost; null: no ghost. */
+  /** Also shows the cloth of another run, transparent; null: only the cloth of this run. */
   overlay(other) {
     if (this.ghost) this.scene.remove(this.ghost);
     this.ghost = null;
@@ -157,7 +157,7 @@ export class View {
     this.scene.add(this.ghost);
   }
 
-  /** Sample points of frames over the whole time, in m, which the camera is to show. */
+  /** The positions, in m, of some vertices in some frames, which the camera should show. */
   sample() {
     const points = [], last = this.frames.decoded - 1;
     const frames = new Set([0, this.frame, ...[0.2, 0.4, 0.6, 0.8, 1].map((share) => Math.round(share * last))]);
@@ -168,7 +168,7 @@ export class View {
       this.frames.positions(frame, at);
       for (let i = 0; i < at.length; i += 3 * stride) {
         const away = Math.hypot(at[i] - this.middle[0], at[i + 1] - this.middle[1], at[i + 2] - this.middle[2]);
-        if (away < 1.6 * this.size) points.push(at[i], at[i + 1], at[i + 2]); // the rest flew away
+        if (away < 1.6 * this.size) points.push(at[i], at[i + 1], at[i + 2]); // other points have flown away
       }
     }
     return points;
@@ -200,9 +200,9 @@ export class View {
 }
 
 /**
- * Gives views whose cloth is equally large and at the same place one centre and size for their cameras, so that
- * cameras locked together show the same part of each cloth; views of other cloth get their own.
- * @returns {number[][]} points that the camera of each view is to show, in sizes from the centre
+ * Sets the centre and size for the lengths of each camera. Views whose cloth has the same size and place at
+ * rest share a centre and size, so that linked cameras show the same part of each cloth.
+ * @returns {number[][]} for each view the points that its camera should show, in sizes from the centre
  */
 export function anchorViews(views) {
   const groups = [];
@@ -231,7 +231,7 @@ function middleOf(rest) {
   return low.map((x, c) => (x + high[c]) / 2);
 }
 
-/** The box of a sample of the points. */
+/** The box around some of the points. */
 function roughBox(points) {
   const stride = 3 * Math.max(1, Math.floor(points.length / 3 / 1500)), some = [];
   for (let i = 0; i < points.length; i += stride) some.push(points[i], points[i + 1], points[i + 2]);
@@ -253,7 +253,7 @@ function vertexNormalsOf(points, triangles) {
   return normals;
 }
 
-/** Round marks of `wide` pixels; hidden ones are not drawn. */
+/** Round marks with a diameter of `wide` pixels; marks behind the cloth are not drawn. */
 export function pointMaterial(colour) {
   return new ShaderMaterial({
     glslVersion: GLSL3, transparent: true, depthWrite: false,

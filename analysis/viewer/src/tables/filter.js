@@ -1,4 +1,4 @@
-/** Shows the rows of a table that have all typed words and all values chosen from the lists of columns. */
+/** Shows only the table rows with all words that the user types, and all values that the user chooses. */
 import { html } from "../page/dom.js";
 import { isChosen, whenChosen } from "../page/selection.js";
 

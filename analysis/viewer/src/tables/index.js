@@ -1,4 +1,4 @@
-/** Tables of a page: `<table class="sortable">` sorts and filters; cells with data-run open their run. */
+/** The user can sort and filter a `<table class="sortable">`, and open the runs of cells with data-run. */
 import { makeFilterable } from "./filter.js";
 import { startRuns } from "./run_dialog.js";
 import { makeSortable } from "./sort.js";
@@ -16,7 +16,7 @@ export function startTables(root = document) {
   startRuns();
 }
 
-// On a phone every row is a card; each of its cells then shows the name of its column.
+// On a phone every row is a card, and each cell shows the name of its column.
 function labelCells(table) {
   const labels = [...table.tHead.rows[table.tHead.rows.length - 1].cells].map((head) =>
     (head.dataset.label ?? head.textContent).trim(),

@@ -1,4 +1,4 @@
-/** A run, opened from a table, a chart or an address: how it moves, its worst number, config, command. */
+/** The dialog of a run, which a table, a chart or an address opens: motion, worst metric, config, command. */
 import { choice } from "../charts/controls.js";
 import { button, copy, html } from "../page/dom.js";
 import { pageData } from "../page/data.js";
@@ -13,7 +13,7 @@ let dialog = null,
   playing = null,
   other = null; // the run that the opened run is compared with; null: its neighbours in the list
 
-/** Runs open on `bendlab:open`, on cells with data-run, and on an address that ends in #run-ID. */
+/** Opens runs: on the event bendlab:open, on a click on a cell with data-run, for an address with #run-ID. */
 export function startRuns() {
   document.addEventListener("bendlab:open", (event) => open(event.detail.ids, event.detail.from));
   document.addEventListener("click", (event) => {
@@ -31,7 +31,7 @@ function fromAddress() {
   if (id && pageData().byId.has(id)) open([id], null);
 }
 
-// The runs in the order in which the table shows them now; for a cell that counts runs only these runs.
+// The runs of a table, in the present order of its rows. In a table of counts: the runs of the cell.
 function neighbours(cell) {
   const table = cell.closest("table.shares") ? null : cell.closest("tbody");
   const shown = [...(table?.querySelectorAll("[data-run]") ?? [cell])]
@@ -133,7 +133,7 @@ function about(run) {
   return parts;
 }
 
-// The pictures of runs like this one, in the page.
+// A link to the pictures of the group of cases to which this run belongs.
 function stills(address) {
   const link = html("a", { href: address, onclick: () => dialog.close() }, "Stills of this group of cases");
   return html("p", { class: "small" }, link);
@@ -160,7 +160,7 @@ function worst(run) {
   );
 }
 
-// A choice of another run; its metrics and config are then shown beside those of this run.
+// A list to choose another run, whose metrics and config are then shown beside the values of this run.
 function chooseOther(run, compared) {
   const others = pageData().runs.filter((each) => each !== run && (each.summary || each.changes));
   if (!others.length) return [];
@@ -207,8 +207,8 @@ function numbers(run) {
   ];
 }
 
-// The settings in which this run differs from the chosen run, or from its neighbours in the list; without
-// neighbours from two other runs with the same base config.
+// The settings in which this run differs from the chosen run. Without a chosen run: from its neighbours in
+// the list. Without neighbours: from two other runs with the same base config.
 function config(run) {
   if (!run.changes && run.base === undefined) return [];
   const at = list.indexOf(run.id);

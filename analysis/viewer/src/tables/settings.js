@@ -1,5 +1,5 @@
-/** Configs of runs as JSON pointers and values. A page has whole base configs, and the differences of each run
- * from one of them. */
+/** Configs of runs as JSON pointers and values. A page has complete base configs, and for each run the
+ * settings that differ from one base config. */
 import { pageData } from "../page/data.js";
 
 /** Pointer → value of every setting of a run. @returns {Map<string, any>} */
@@ -35,7 +35,7 @@ function put(node, path, value) {
   else put(Object.hasOwn(node, key) ? node[key] : (node[key] = {}), rest, value);
 }
 
-// Objects whose keys are 0, 1, … were lists.
+// Turns objects with the keys 0, 1, … back into lists.
 function lists(node) {
   if (node === null || typeof node !== "object" || Array.isArray(node)) return node;
   const keys = Object.keys(node);

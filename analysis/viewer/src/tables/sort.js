@@ -37,7 +37,7 @@ function keyOf(cell) {
   return text ? (numberOf(text) ?? text) : null;
 }
 
-// The number that a text begins with, as numbers are written in pages: 1,824 or −0.5 or 1.2·10⁻⁵ or ± 5 %.
+// The number at the beginning of a text, written as on pages: 1,824 or −0.5 or 1.2·10⁻⁵ or ± 5 %.
 function numberOf(text) {
   const found = /^(?:± ?)?([-−]?\d[\d,\u202f]*(?:\.\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|e([-+]?\d+))?(?![\w²])/.exec(text);
   if (/^[-−]?∞$/.test(text)) return text === "∞" ? Infinity : -Infinity;

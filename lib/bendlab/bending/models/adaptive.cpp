@@ -1,4 +1,4 @@
-// The paper's adaptive springs: levels from the mesh, tight around the pins, loose elsewhere.
+// The paper's adaptive springs: long springs around the pins, shorter springs elsewhere.
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {

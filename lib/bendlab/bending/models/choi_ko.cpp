@@ -1,5 +1,5 @@
-// Choi and Ko's model: cloth that is pushed together does not shorten, it buckles. Their flexion springs join
-// vertices two edges apart and push like the ends of a buckled arc.
+// Choi and Ko's model: cloth that is pushed together does not shorten, it buckles. The flexion springs of
+// this model join vertices two edges apart and push like the ends of a buckled arc.
 #include "bendlab/bending/models.hpp"
 #include "bendlab/parameters/names.hpp"
 
@@ -13,8 +13,8 @@ constexpr std::array fields = {
                           .minimum = 2,
                           .maximum = 1000}),
     field<&ChoiKo::force>({.name = "force",
-                           .meaning = "the push of a buckled arc, or the polynomial of degree 4 by which "
-                                      "cloth solvers replace it (within 1.6 %); with k both are the same",
+                           .meaning = "force of a buckled arc, or the polynomial of degree 4 that cloth "
+                                      "solvers use instead (within 1.6 %); with k the results are equal",
                            .choices = ArcSpring::law_names}),
 };
 
@@ -37,7 +37,7 @@ BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
   // the same factor.
   constraints.facts = {{"ring", static_cast<double>(ring), "edges between the vertices that a spring joins"},
                        {"rigidity_factor", 1 - 1.0 / (ring * ring),
-                        "share of the flexural rigidity k_b / width that an arc would have"}};
+                        "flexural rigidity divided by k_b / width, the flexural rigidity of exact arcs"}};
   return constraints;
 }
 

@@ -34,7 +34,7 @@ std::vector<std::array<int, 2>> opposite_pairs(const RestMesh& rest) {
 }
 
 // Two interior edges can have the same two opposite vertices (crossed diagonals, for example). Such a pair
-// keeps its first spring in the list, because a second spring would only double k.
+// gets only one spring, the first in the list, because a second spring would only double k.
 std::vector<std::array<int, 2>> without_repeats(std::vector<std::array<int, 2>> pairs) {
   std::set<std::array<int, 2>> seen;
   std::erase_if(pairs, [&](const std::array<int, 2>& pair) { return !seen.insert(pair).second; });
@@ -82,7 +82,8 @@ BendingConstraints build(const Crossover& settings, const BendingInput& input) {
 constinit const BendingKind Crossover::kind{
     .name = "crossover",
     .label = "crossover",
-    .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
+    .summary =
+        "one spring over every interior edge, between the two opposite vertices (at most one per pair)",
     .source = "Kim, Fig. 2; Choi and Ko 2002; Bridson et al. 2003; Kang and Cho 2002",
     .limits =
         "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "

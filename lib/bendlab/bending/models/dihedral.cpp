@@ -30,13 +30,13 @@ BendingConstraints build(const Dihedral& settings, const BendingInput& input) {
 constinit const BendingKind Dihedral::kind{
     .name = "dihedral",
     .label = "dihedral",
-    .summary = "the angle between two triangles, signed, over every interior edge",
+    .summary = "the signed angle between the two triangles of every interior edge",
     .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
     .limits =
         "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on hinges "
-        "that share vertices overshoot and throw the sheet about; a fold of more than 180 degrees counts as "
-        "a fold to the other side; with physical stiffness, a sheet that is bent a little has 0.75 of the "
-        "stated rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
+        "that share vertices overshoot and shake the sheet; a fold of more than 180 degrees counts as a fold "
+        "to the other side; with physical stiffness, a sheet that is bent a little has 0.75 of the stated "
+        "rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .settings = table_of<Dihedral>(fields),
     .softness_needs_compliance = true,

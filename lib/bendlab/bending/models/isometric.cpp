@@ -11,8 +11,8 @@ namespace {
 constexpr std::array fields = {
     field<&Isometric::constraint>(
         {.name = "constraint",
-         .meaning = "C = |Kx|, whose XPBD energy is Bergou's; or C = ½ xᵀQx, Bergou's energy itself as "
-                    "libraries ship it, whose XPBD energy is quartic in the angle",
+         .meaning = "C = |Kx|, whose XPBD energy is Bergou's energy; or C = ½ xᵀQx, Bergou's energy itself "
+                    "as in other libraries, whose XPBD energy is quartic in the angle",
          .choices = QuadraticBend::law_names}),
 };
 
@@ -20,7 +20,7 @@ double cotangent(const Vector3& a, const Vector3& b) {
   return a.dot(b) / a.cross(b).norm();
 }
 
-// K of Kx = Σ K_i p_i: cotangents at the ends of the edge.
+// The weights K_i of Kx = Σ K_i p_i, sums of cotangents at the ends of the edge.
 std::array<double, 4> weights_of(const RestHinge& h) {
   const auto& [p0, p1, p2, p3] = h.position;
   const double c01 = cotangent(p1 - p0, p2 - p0), c02 = cotangent(p1 - p0, p3 - p0),

@@ -9,7 +9,7 @@ constexpr std::array own_fields = {
         {.name = "k",
          .unit = "1",
          .meaning =
-             "the farthest ring that springs of a vertex reach; with 1 they lie only on the mesh's own edges",
+             "the farthest ring that springs of a vertex reach; with 1, springs lie only on the mesh's edges",
          .minimum = 1,
          .maximum = 1000}),
 };

@@ -44,8 +44,8 @@ constinit const BendingKind Lod::kind{
     .summary = "springs only to the vertices exactly t rings away",
     .source = "Kim, §II.4 and Fig. 4",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
-        "wrinkles shorter than t edges can escape the long springs",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; the "
+        "long springs do not resist wrinkles shorter than t edges",
     .compliance = "1 / k of every spring, k in N/m",
     .settings = table_of<Lod>(fields),
     .springs_only = true,

@@ -6,7 +6,7 @@ namespace bendlab {
 constinit const BendingKind None::kind{
     .name = "none",
     .label = "no bending",
-    .summary = "no bending constraints; the control for every other model",
+    .summary = "no bending constraints, for comparison with other models",
     .source = "control",
     .limits = "does not resist bending, except that on some meshes the membrane itself does",
     .compliance = "no constraints",

@@ -3,8 +3,8 @@
 // A spring of rest length L (1 + e) between points L apart has the energy ½ (e L + δ)² / α once bending has
 // shortened it by δ = κ² L³ / 24. The part e L δ / α, which is linear in δ, is quadratic in κ: it gives a
 // moment B κ. A spring at rest has only the part ½ δ² / α and the moment C κ³. The two parts are equal at κ L
-// = sqrt(48 e). The membrane holds the sheet against the push. As far as it gives way, the sheet grows: by
-// about the share e if strain is projected with k.
+// = sqrt(48 e). The membrane must resist the push. If the membrane gives way, the sheet grows. If strain is
+// projected with k, the sheet grows by about the share e.
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
@@ -29,7 +29,7 @@ BendingConstraints build(const Prestressed& settings, const BendingInput& input)
   return constraints;
 }
 
-// With k, springs that are longer at rest by an excess e stretch a sound sheet. Mean strain of a sheet of 20
+// With k, springs that are longer at rest by the share e stretch the sheet. Mean strain of a sheet of 20
 // cells pinned at two corners, with 4 substeps × 10 iterations (without bending 0.007):
 //
 //   e              0.02    0.05    0.1     0.2     0.5
@@ -52,9 +52,9 @@ constinit const BendingKind Prestressed::kind{
         "push in the flat sheet",
     .source = "bendlab's own",
     .limits =
-        "the sheet grows as far as the membrane gives way (with k by about the excess); does not distinguish "
-        "the two directions of a fold; wrinkles shorter than t edges can escape the long springs; with "
-        "physical stiffness, an excess that the solver cannot hold is lowered (see excess_taken)",
+        "the sheet grows if the membrane gives way (with k by about the excess); does not distinguish the "
+        "two directions of a fold; the long springs do not resist wrinkles shorter than t edges; with "
+        "physical stiffness, an excess that is too large for the solver is lowered (see excess_taken)",
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; springs of other lengths are weighted so that "
         "all springs resist bending alike",

@@ -4,8 +4,8 @@
 namespace bendlab {
 namespace {
 
-// Bent to the curvature κ, a span of length l shortens by δ = l³ κ² / 24. If all springs have the same energy
-// ½ δ² / α, the sheet is equally stiff in all directions.
+// In a sheet that is bent to the curvature κ, a spring of length l shortens by δ = l³ κ² / 24. If all springs
+// have the same energy ½ δ² / α, the sheet is equally stiff in all directions.
 BendingConstraints build(const SparseLod& settings, const BendingInput& input) {
   return thinned_rings(settings, input, 6);
 }
@@ -20,9 +20,9 @@ constinit const BendingKind SparseLod::kind{
         "directions",
     .source = "bendlab's own, after Kim, §II.4",
     .limits =
-        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
-        "wrinkles shorter than t edges can escape the long springs; with k all springs are alike, so short "
-        "springs resist bending less",
+        "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; the "
+        "long springs do not resist wrinkles shorter than t edges; with k all springs have the same weight, "
+        "so short springs resist bending less",
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; springs of other lengths are weighted so that "
         "all springs resist bending alike",

@@ -4,28 +4,30 @@
 //
 //   (H + M / τ²) Δx = f - ∇E,   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
 //
-// λ estimates ψ'(C), the force in a constraint. If the membrane hardly stretches, ψ'(C) itself is a bad
-// estimate away from the solution: a step that turns a triangle by an angle stretches it by the square of the
-// angle, and that force would hold the next step back. So λ is the value that the last step aimed at, ψ' +
-// ψ'' ∇C·Δx, as if force and position were both unknowns (the mixed form of Newton's method; at the solution
-// λ and ψ'(C) agree). A step is shortened until it stretches no triangle by more than `stretch_per_step`
-// beyond the step's aim.
+// λ estimates ψ'(C), the force in a constraint. For a stiff membrane ψ'(C) itself is a bad estimate away from
+// the solution. A step that turns a triangle by an angle stretches the triangle by the square of the angle,
+// and the force of this stretch would resist the next step. So λ is ψ' + ψ'' ∇C·Δx of the last step, as if
+// force and position were both unknowns (the mixed form of Newton's method; at the solution λ and ψ'(C)
+// agree). A step is shortened until no triangle stretches by more than `stretch_per_step` beyond the stretch
+// to first order.
 //
-// M / τ² is the mass term of an implicit Euler step of length τ from rest. Far from the solution (a flat
-// sheet has no stiffness along its normal) the cloth creeps downhill; as τ grows, the steps become Newton
-// steps. If the matrix is not positive definite (a crumpled cloth; springs that are compressed before the
-// membrane carries their push), λ is first set to 0 except where a length pulls; if that does not help, τ
-// shrinks. The last steps use the whole matrix without M / τ², so they find a minimum, never a saddle.
+// M / τ² is the mass term of an implicit Euler step of length τ from rest. Far from the solution τ is short,
+// and the energy falls slowly; the mass term is needed there, because a flat sheet has no stiffness along its
+// normal. As τ grows, the steps become Newton steps. The matrix may not be positive definite, for example if
+// the cloth is crumpled, or if springs are compressed before the membrane resists their push. Then λ is first
+// set to 0, except for stretched lengths. If the matrix is still not positive definite, τ is shortened. The
+// last steps use the whole matrix without M / τ², so the search ends at a minimum, never at a saddle.
 //
-// A stiff membrane starts softer and becomes stiffer in factors of ten once the cloth has found its shape.
-// With full stiffness from the start, a strip that bends by springs would keep creases of the first steps.
+// A stiff membrane is softer at first, and becomes stiffer in factors of ten once the cloth has found its
+// shape. With full stiffness from the start, a strip that bends by springs would end with creases of the
+// first steps.
 //
-// A step counts as dt of the scene's time. The scene is settled when the last step moved no vertex by more
-// than 1e-6 sizes and the unbalanced forces are at most `equilibrium_tolerance` of the loads, or no larger
-// than the rounding of positions makes them.
+// A step counts as dt of the scene's time. The scene is settled when two conditions are met: the last step
+// moved every vertex by at most 1e-6 sizes of the cloth, and the unbalanced forces are at most
+// `equilibrium_tolerance` of the loads, or as small as the rounding of positions allows.
 //
-// Everything is computed in double precision. Loads are the changes of velocity by the passes of stage
-// `force` on a cloth at rest. Passes of the stages `damp` and `velocity` do nothing here.
+// Everything is computed in double precision. The loads follow from the changes of velocity by the passes of
+// stage `force` on a cloth at rest. Passes of the stages `damp` and `velocity` do nothing here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -49,16 +51,16 @@ constexpr std::array own_passes = {
     MethodPass{"gradient", "equilibrium: the unbalanced forces"},
     MethodPass{"Hessian", "equilibrium: the stiffness matrix"},
     MethodPass{"factorise", "equilibrium: Cholesky factors of the matrix, and the step"},
-    MethodPass{"move", "equilibrium: moves as far as triangles hardly stretch"},
+    MethodPass{"move", "equilibrium: moves the cloth, but only as far as triangles hardly stretch"},
 };
 
 constexpr double equilibrium_tolerance = 1e-7;  // 1, |f - ∇E| / |f| over all free vertices
 constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
 
-// The following numbers decide how many steps the search takes, and which equilibrium it finds if there are
-// several. They do not decide whether forces balance: the last steps are not shortened, and have the membrane
-// as stated. The mass term is pseudo-transient continuation (Kelley and Keyes 1998): a step that succeeds
-// lengthens τ.
+// The following numbers decide how many steps the search takes, and which of several equilibria the search
+// finds. The numbers do not change how well the forces balance, because the last steps are not shortened, and
+// have the stated membrane. The mass term is pseudo-transient continuation (Kelley and Keyes 1998): after a
+// step that succeeds, τ is lengthened.
 constexpr double stretch_per_step = 0.05;  // 1, of a triangle beyond the step's aim
 constexpr double longest_move = 0.2;       // of the cloth's size, per step
 constexpr double first_move = 0.05;        // of the cloth's size: by the first step of a cloth that falls
@@ -71,7 +73,7 @@ constexpr double far_move = 5e-3;          // of the cloth's size: after a longe
 constexpr double lost = 1e-14;          // 1 / τ² below this share of the stiffness is rounded away: 100 ε
 constexpr double first_stretch = 1e-4;  // 1, of the softened membrane under the loads
 constexpr double softest = 1000;        // times the stated compliance, of a cloth far from its equilibrium
-constexpr double softest_near = 10;     // the same, of a pose from another mesh: it has a shape already
+constexpr double softest_near = 10;     // times the stated compliance, of a pose from another mesh
 constexpr double stiffening = 10;       // of the membrane, once the cloth has found its shape:
 constexpr double found_unbalanced = 1e-3;  // 1, relative to the loads
 constexpr double found_move = 1e-3;        // of the cloth's size, in the last step
@@ -123,7 +125,7 @@ class EquilibriumSearch final : public TimeStep<double> {
     for (const Pass<double>& pass : effect_passes)
       if (pass.stage != Stage::force && pass.stage != Stage::damp && pass.stage != Stage::velocity)
         throw std::invalid_argument(fmt::format(
-            "equilibrium: the pass {} needs a time step, but only loads have an equilibrium", pass.name));
+            "equilibrium: the pass {} needs a time step, but an equilibrium has loads only", pass.name));
     append_effects(plan_, effect_passes, Stage::force);
     add_pass(plan_, "gradient", [this](auto& c) { find_gradient(c.substep); });
     add_pass(plan_, "Hessian", [this](auto&) { assemble(); });
@@ -144,8 +146,8 @@ class EquilibriumSearch final : public TimeStep<double> {
       soften(std::max(softness_ / stiffening, 1.0));
   }
 
-  // Starts so soft that the loads stretch the membrane by about first_stretch, but not too soft for a cloth
-  // that starts near its equilibrium: it would move away, and a softer cloth may not have that equilibrium.
+  // Makes the membrane so soft that the loads stretch it by about first_stretch. If the cloth starts near its
+  // equilibrium, the membrane is softened less, because a softer cloth may not have this equilibrium.
   void start() {
     inverse_tau_squared_ = 0;
     if (system_.unknowns() == 0) return;
@@ -175,13 +177,13 @@ class EquilibriumSearch final : public TimeStep<double> {
     unbalanced_ = relative(residual_);
   }
 
-  // The change of the forces by the rounding of positions, relative to the loads.
+  // The error of the forces from the rounding of positions, relative to the loads.
   double rounding() const {
     constexpr double of_position = std::numeric_limits<double>::epsilon();
     return scale_ > 0 ? of_position * size_ * hessian_->diagonal().norm() / scale_ : 0;
   }
 
-  // The length of a residual relative to the loads; without loads, relative to the first residual.
+  // The norm of a residual, relative to the loads; if there are no loads, relative to the first residual.
   double relative(const VectorXd& residual) {
     const double norm = residual.norm();
     if (!(scale_ > 0)) scale_ = loads_.norm() > 0 ? loads_.norm() : norm;
@@ -202,9 +204,9 @@ class EquilibriumSearch final : public TimeStep<double> {
     rounding_ = rounding();
   }
 
-  // If the matrix is not positive definite, first sets the multipliers that may cause it to 0 (see convex()),
-  // then shortens τ. At a saddle it shortens τ at once: the longest τ that makes the matrix definite leads
-  // away fastest.
+  // If the matrix is not positive definite, first sets the multipliers that may be the cause to 0 (see
+  // convex()), then shortens τ. At a saddle τ is shortened at once, because the longest τ with a definite
+  // matrix leads away from the saddle fastest.
   void factorise() {
     if (settled()) return;
     constexpr int attempts = 100;  // no τ helps if entries are not finite
@@ -221,7 +223,7 @@ class EquilibriumSearch final : public TimeStep<double> {
 
   bool factorised() { return solver_.factorise(*hessian_, inverse_tau_squared_ * masses_); }
 
-  // A smaller 1 / τ² is lost in the rounding of the Hessian's diagonal.
+  // A smaller 1 / τ² would be rounded away when it is added to the Hessian's diagonal.
   double smallest() const { return lost * hessian_->diagonal().cwiseQuotient(masses_).cwiseAbs().maxCoeff(); }
 
   void move() {
@@ -231,7 +233,7 @@ class EquilibriumSearch final : public TimeStep<double> {
     while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step)
       share *= halving;
     const VectorXd step = share * direction_;
-    // A shortened step takes its share of the multipliers that the whole step aimed at.
+    // If the step is shortened to a share, the multipliers change by this share, too.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction_);
     positions_ = system_.moved(positions_, step);
     if (share == 1)

@@ -2,33 +2,33 @@
 //
 //   per substep h:  force passes → damp passes → springs → implicit solve → update → velocity passes
 //
-// Backward Euler with the springs' tangent reduced to its part along the spring, J_ij = k d dᵀ / |d|²,
+// This is backward Euler, but a spring's tangent has only its part along the spring, J_ij = k d dᵀ / |d|²:
 //
-//   (M + h² K) Δv = h f - h² K v,
+//   (M + h² K) Δv = h f - h² K v
 //
-// solved by two steps of block Jacobi, from Δv = 0:
+// Two steps of block Jacobi from Δv = 0 solve this equation approximately:
 //
 //   W_i  = m_i 1 + h² Σ_j J_ij
 //   p_i  = h f_i + h² Σ_j J_ij (v_j - v_i)
 //   Δv_i = W_i⁻¹ (p_i + h² Σ_j J_ij W_j⁻¹ p_j),   v += Δv,   x += h v
 //
-// f is the sum of the springs' forces and, as in the source, of the scene's forces: the change of velocity by
-// the force passes is undone, and enters p, multiplied by m_i. So a cloth in equilibrium stays in equilibrium
-// for any h. Damp passes see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on
-// its neighbours.
+// f is the sum of the springs' forces and, as in the source, of the scene's forces. The force passes change
+// the velocities; these changes are undone, multiplied by m_i and added to p. So a cloth in equilibrium stays
+// in equilibrium for any h. Damp passes get the velocities without these forces. A pinned vertex has p = Δv =
+// 0 and acts on its neighbours.
 //
-// Properties of the approximation (G = W⁻¹ h² × the off-diagonal blocks; its eigenvalues are within (-1, 1)):
+// Properties of the approximation. G is W⁻¹ h² × the off-diagonal blocks, with eigenvalues within (-1, 1).
 //
 // * Δv solves backward Euler exactly for another mass, M' = (M + h² K) (1 - G²)⁻¹ - h² K ≥ M. So with fixed J
 //   the method is stable at any step. Δv differs from the solution for M by O(h⁵) per step.
-// * The added mass grows with κ = h² k and acts where J does. Two masses on a spring fall along it more
-//   slowly than a stone, by the factor 1 - (κ / (m + κ))². M' changes translations, too: Σ m v is kept for a
-//   single spring, but not for a cloth (the share lost is O((κ / m)²)). M' turns with the cloth, so energy is
-//   not kept either: with κ ≫ m a sheet that swings down climbs higher than it started.
-// * The stiffness of a taut spring across its direction, k (1 - L / |d|), is not in the source's J, so it is
-//   integrated explicitly: a mass on a taut string is stable while h² Σ k (1 - L / |d|) < 4 m. In a hanging
-//   sheet of 32 × 32 cells this allows steps of 1.5 to 4 times explicit Euler's, with h² k / m of 1 to 6.
-//   Tangent::taut adds it to J.
+// * The added mass M' - M grows with κ = h² k, and acts in the directions of J. Two masses on a spring fall
+//   along the spring more slowly than a stone, by the factor 1 - (κ / (m + κ))². M' also changes the momentum
+//   Σ m v of a cloth, by a share of O((κ / m)²), but not the momentum of a single spring. M' turns with the
+//   cloth, so the energy changes, too: with κ ≫ m a sheet that swings down climbs higher than its start.
+// * The source's J leaves out the stiffness of a taut spring across its direction, k (1 - L / |d|). This
+//   stiffness is integrated explicitly, so a mass on a taut string is stable only if h² Σ k (1 - L / |d|) <
+//   4 m. In a hanging sheet of 32 × 32 cells, steps may be 1.5 to 4 times as long as those of explicit Euler,
+//   for h² k / m from 1 to 6. Tangent::taut adds this stiffness to J.
 //
 // The springs are input.edges, of stiffness 1 / strain_stiffness.compliance, and input.distance, of stiffness
 // 1 / bending_stiffness.compliance (N/m).
@@ -46,14 +46,14 @@
 namespace bendlab {
 namespace {
 
-// About 10 µs of springs: for less, a second thread is not worthwhile.
+// The springs of about 10 µs. With fewer springs a second thread saves no time.
 constexpr std::size_t worthwhile_lanes = 8192;
 
 using Tangent = KangCho::Tangent;
 constexpr std::array<std::string_view, 3> tangent_names = {"along", "taut", "isotropic"};
 
 constexpr std::array own_passes = {
-    MethodPass{"start", "kang_cho: stores the velocities before forces"},
+    MethodPass{"start", "kang_cho: stores the velocities before the forces act"},
     MethodPass{"external", "kang_cho: forces act in the implicit solve, not before it"},
     MethodPass{"springs", "kang_cho: forces and tangents of edges and bending springs"},
     MethodPass{"implicit solve", "kang_cho: two steps of block Jacobi"},
@@ -100,7 +100,9 @@ class KangChoStep final : public TimeStep<Real> {
  private:
   static void check(const SimulationInput& input, const std::vector<Pass<Real>>& effect_passes) {
     if (element_count(input.elements) > 0)
-      throw std::invalid_argument("kang_cho: takes springs only, but the bending model makes other elements");
+      throw std::invalid_argument(
+          "kang_cho: takes springs only, but the bending model makes other elements; choose a model made of "
+          "springs");
     const auto has_stiffness = [](const auto& s) {
       return s.kind == StiffnessKind::compliance && s.compliance > 0;
     };
@@ -110,7 +112,7 @@ class KangChoStep final : public TimeStep<Real> {
     for (const Pass<Real>& pass : effect_passes)
       if (pass.stage != Stage::force && pass.stage != Stage::damp && pass.stage != Stage::velocity)
         throw std::invalid_argument(
-            fmt::format("kang_cho: the pass {} needs a stage that this step does not have", pass.name));
+            fmt::format("kang_cho: the pass {} needs a stage that kang_cho does not have", pass.name));
   }
 
   void fill_springs(const SimulationInput& input) {
@@ -205,8 +207,8 @@ constinit const MethodKind KangCho::kind{
         "an approximate implicit step of masses and springs; the membrane is a spring along every edge",
     .source = "Kang and Cho 2002; other tangents are ours",
     .limits =
-        "springs only, of known stiffness: takes bending models made of springs, and no form, warp, weft, "
-        "shear or area of strain; adds mass, so that cloth falls too slowly in long steps; keeps neither "
+        "takes only bending models made of springs, and compliances above 0; does not read form, warp, weft, "
+        "shear and area of strain; adds mass, so that cloth falls too slowly in long steps; keeps neither "
         "momentum nor energy; takes no effects that act between projections",
     .settings = table_of<KangCho>(fields),
     .passes = own_passes,

@@ -2,15 +2,15 @@
 //
 //   per iteration:  (H + W) Δx = -(∇E + W (x - y)),   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
 //
-// λ is kept only where a length pulls, so that the matrix is positive definite for any pose and any step
-// (Gauss-Newton for bending, no compressive membrane stress). λ is the value that the last iteration aimed
-// at, as if force and position were both unknowns: equilibrium.cpp says why. The forces on the right are the
-// forces of the pose itself, so the iterations converge to the minimum that implicit_step.hpp states.
+// λ is 0 except for stretched lengths, so that the matrix is positive definite for any pose and any step
+// (Gauss-Newton for bending, no compressive membrane stress). For stretched lengths λ is ψ' + ψ'' ∇C·Δx of
+// the last iteration; equilibrium.cpp says why. The right side has the forces of the present pose, so the
+// iterations converge to the minimum that implicit_step.hpp states.
 //
-// An iteration is shortened until it stretches no triangle by more than `stretch_per_step` beyond the
-// iteration's aim, and until it lowers the minimised function (Armijo's rule). Without the second rule, steps
-// of 0.1 s and more went to and fro between stretched poses, and gained energy. Everything is computed in
-// double precision.
+// The move of an iteration is shortened until no triangle stretches by more than `stretch_per_step` beyond
+// the stretch to first order, and until the minimised function falls (Armijo's rule). Without Armijo's rule,
+// steps of 0.1 s and more went to and fro between stretched poses, and gained energy. Everything is double
+// precision.
 #include <fmt/format.h>
 
 #include <array>
@@ -30,8 +30,7 @@ using Eigen::VectorXd;
 
 constexpr double stretch_per_step = 0.05;  // 1
 constexpr double least_share = 1e-4;       // 1, of the decrease to first order: Armijo's constant
-constexpr double near = 1e-6;              // of the cloth's size: a move this short is the last, and lowers
-                                           // the energy by less than the rounding of the energy
+constexpr double near = 1e-6;  // of the cloth's size: shorter moves change the energy within rounding
 constexpr double energy_rounding = 1e-11;  // 1
 
 constexpr auto fields = implicit_fields<Newton>;
@@ -44,8 +43,7 @@ class NewtonStep final : public ImplicitStep<double> {
         system_(input),
         positions_(input.positions),
         size_(input.size) {
-    // The stiffness of contacts is far above the weights, and below that of the membrane, which rounding
-    // already allows.
+    // Contacts are much stiffer than inertia, but softer than the membrane, so that contacts add no rounding.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
     compile_plan(std::move(effect_passes), 10, 0.3 * membrane);
   }
@@ -101,8 +99,8 @@ class NewtonStep final : public ImplicitStep<double> {
     return sum;
   }
 
-  // The gradients of a triangle that has almost collapsed are huge, and so is their rounding, which may make
-  // the matrix indefinite. It is definite again without λ and with an added share of its diagonal.
+  // An almost collapsed triangle has huge gradients, and the rounding of these gradients may make the matrix
+  // indefinite. The matrix is definite again without λ and with an added share of its diagonal.
   void factorise(const VectorXd& diagonal) {
     if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal, blocks_))
       return;
@@ -115,7 +113,7 @@ class NewtonStep final : public ImplicitStep<double> {
         "pose, or choose quasi_newton");
   }
 
-  // The minimised function along a direction d. Its parts from inertia and contacts are quadratic along d.
+  // The minimised function along a direction d. The parts from inertia and contacts are quadratic along d.
   struct Descent {
     const VectorXd& direction;
     double slope;      // of the whole function, J, positive downhill
@@ -123,7 +121,7 @@ class NewtonStep final : public ImplicitStep<double> {
     double curvature;  // of inertia and contacts, J
   };
 
-  // The largest of share, share / 2, … that lowers the energy enough.
+  // The largest of share, share / 2, share / 4, … that lowers the energy enough.
   double lowering(double share, const Descent& d) const {
     constexpr int halvings = 30;  // rounding decides whether shorter moves lower it
     const double start = system_.energy(positions_), rounding = energy_rounding * start;
@@ -137,7 +135,7 @@ class NewtonStep final : public ImplicitStep<double> {
   }
 
   void move(const VectorXd& direction, double share) {
-    // A shortened step takes its share of the multipliers that the whole step aimed at.
+    // If the move is shortened to a share, the multipliers change by this share, too.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction);
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
@@ -157,12 +155,12 @@ std::string remedy_of_lag(const Newton&, const UnconvergedRun& run) {
   using namespace measured;
   if (run.touches)
     return fmt::format(
-        "More /solver/substeps help where cloth touches something: on a ball that spins 1 left {:.2g} times "
-        "the effects' forces, and 8 left {:.2g} times",
+        "More /solver/substeps help where cloth touches something: on a spinning ball the unbalanced forces "
+        "were {:.2g} times the effects' forces with 1 substep, and {:.2g} times with 8",
         ball_newton_1x20, ball_newton_8x20);
   return fmt::format(
-      "More /solver/iterations help: in tests at 10⁵ N/m 3 iterations left {:.2g} times the effects' forces, "
-      "and 10 left {:.2g} times",
+      "More /solver/iterations help: in tests at 10⁵ N/m the unbalanced forces were {:.2g} times the "
+      "effects' forces with 3 iterations, and {:.2g} times with 10",
       newton_3, newton_10);
 }
 
@@ -170,7 +168,7 @@ std::string remedy_of_lag(const Newton&, const UnconvergedRun& run) {
 
 constinit const MethodKind Newton::kind{
     .name = "newton",
-    .summary = "implicit steps, each solved to its minimum by Newton's method; the reference for motions",
+    .summary = "implicit steps by Newton's method, iterated to the minimum; the reference for motions",
     .source =
         "Baraff and Witkin 1998; as a minimisation: Gast et al. 2015; BDF2: Choi and Ko 2002, §4; CHOLMOD's "
         "supernodal Cholesky factors",

@@ -1,35 +1,35 @@
-// The time step of position-based dynamics. Its plan of passes is compiled from what the scene lists.
+// The time step of position-based dynamics (Müller et al. 2007, §3.1).
 //
 //   per substep h:  force passes → damp passes → predict → predicted passes →
 //                   n × (levels, strain, bending, project passes, contact passes) → update →
 //                   velocity passes
 //
-// (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it costs no branch and
-// no time.
+// The plan has only the passes that the scene needs, so other passes take no time.
 //
-// Why the constraints lie in memory as they do: a projection is a little arithmetic between reading two or
-// three points and writing them back, so its cost is that of moving the points. Therefore
+// How the constraints are stored, and why. A projection reads two or three points, does a little arithmetic,
+// and writes the points. So moving the points through memory takes most of the time. Therefore
 //
-// * a vertex is four numbers, position and inverse mass: one load or store moves it, and it is transposed in
-//   registers. Separate arrays of x, y, z and w would take four loads;
-// * constraints without a common vertex are projected side by side, one per lane. Colouring finds them: a
-//   greedy first-fit over the list, after the pins are known (a constraint between pinned vertices is left
-//   out). It does not depend on lane width or threads, so neither changes a bit of the result;
-// * springs are coloured as stars, up to four springs of one centre in one lane. The centre stays in a
-//   register (half the traffic), and the colours are few and large, which suits threads, because they wait
-//   for each other once per colour. Longer stars are faster but converge worse;
-// * triangles are coloured one by one: they share too few vertices for stars to pay;
-// * a batch stores the kernel's data in the order in which the kernel needs them: offsets ready for an
-//   address, rest values, XPBD's multipliers. Nothing is computed twice, and there are no branches;
-// * vertices keep the mesh's numbering if that is local; else they get the reverse Cuthill-McKee order (a
-//   scanned or exported mesh may be numbered at random);
-// * a single thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so
-//   that the points of a large mesh come from memory once per projection sweep, not once per colour. The bits
-//   are the same as colour after colour, which is the order of several threads.
+// * a vertex is four numbers, the position and the inverse mass. One load or store moves all four, and
+//   kernels transpose them in registers. Separate arrays of x, y, z and w would take four loads;
+// * constraints without a common vertex are projected at the same time, one in each SIMD lane. Such
+//   constraints have the same colour: a greedy first-fit over the list gives the colours, after the pins are
+//   known (a constraint between pinned vertices is left out). The colours do not depend on the numbers of
+//   lanes and threads, so these numbers change no bit of the result;
+// * springs are coloured as stars: one lane has up to four springs of one centre. The centre stays in a
+//   register, which halves the memory traffic. The colours are few and large, which suits threads, because
+//   threads wait for each other once per colour. Longer stars are faster but converge worse;
+// * triangles are coloured one by one, because stars of triangles would be too short to save time;
+// * a batch stores offsets, rest values and XPBD's multipliers in the order in which the kernel needs them.
+//   Nothing is computed twice, and there are no branches;
+// * vertices keep the mesh's numbers if neighbours have close numbers. If not (a scanned or exported mesh may
+//   be numbered at random), vertices get the reverse Cuthill-McKee order;
+// * a single thread projects all colours of one tile of vertices before the next tile (tiling.hpp). So the
+//   points of a large mesh are read from memory once per projection sweep, not once per colour. Several
+//   threads project colour after colour; the result has the same bits.
 //
-// Colouring costs convergence: a correction reaches its neighbours only with the next colour, while list
-// order passes it on at once. `bendlab bench` measures how much this costs; `order: mesh` projects in list
-// order by the oracle.
+// Colours slow down convergence: a correction reaches the neighbours only with the next colour, but in list
+// order at once. `bendlab bench` measures this. `order: mesh` projects in list order, by scalar code
+// (oracle.hpp).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -56,7 +56,7 @@ namespace {
 
 constexpr std::array own_passes = {
     MethodPass{"predict", "x += h v"},
-    MethodPass{"levels", "if levels is above 0: carries corrections far, from coarse to fine"},
+    MethodPass{"levels", "if levels is above 0: projects coarse levels, which move corrections far"},
     MethodPass{"strain", "/material/strain: keeps the triangles' shapes"},
     MethodPass{"update", "v from the change of x; looks for divergence"},
 };
@@ -81,17 +81,17 @@ constexpr std::array fields = {
         .meaning = "Which constraints are projected first in an iteration", .choices = first_names}),
     field<&Pbd::flight_limit>({.name = "flight_limit", .unit = "1",
               .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, "
-                         "before constraints are projected. If forces change it more, near pins for "
+                         "before constraints are projected. If the change would be larger, near pins for "
                          "example, the substep is cut into equal parts, at most 1000. 0: no substep is cut. "
-                         "Gravity changes it by g h² / a in a pinned row of triangles of height a: 0.17 for "
-                         "64 cells per metre and 1/60 s",
+                         "In a pinned row of triangles of height a, the change by gravity is g h² / a: 0.17 "
+                         "for 64 cells per metre and h = 1/60 s",
               .minimum = 0}),
     field<&Pbd::levels>({.name = "levels",
-              .meaning = "Largest number of coarse levels that are projected before the constraints of each "
-                         "iteration. Levels have spans between ever fewer vertices, slack up to their "
-                         "length along the cloth at rest. With levels the cloth stretches less if substeps "
-                         "are few. 0: no levels; 12: as many as the mesh has. With at least as many "
-                         "substeps as edges across the cloth there are none",
+              .meaning = "Largest number of coarse levels. Each iteration projects the levels before the "
+                         "constraints. Each level has fewer vertices than the level before, and limits the "
+                         "distances between them. With levels the cloth stretches less if substeps are few. "
+                         "0: no levels; 12: as many levels as the mesh allows. There are no levels if "
+                         "there are at least as many substeps as edges across the cloth",
               .minimum = 0, .maximum = 12}),
 };
 // clang-format on
@@ -100,10 +100,10 @@ int sweeps_per_iteration(const Pbd& settings) {
   return settings.sweep == Sweep::symmetric ? 2 : 1;
 }
 
-// For ranges with less work than this (about 10 µs of projections) a second thread is not worthwhile.
+// With less work than this (about 10 µs of projections) a second thread saves no time.
 constexpr std::size_t worthwhile_lanes = 2048;
-// Predicts positions from `x`. `remainder` is the part of them that their last digits cannot hold. The arrays
-// hold x, y, z, w of each point in a row.
+// Predicts positions from `x`. `remainder` has what rounding cuts off the positions. The arrays have x, y, z
+// and w of each point, point after point.
 template <class Real>
 void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, Real h,
                      Real* __restrict position, Real* __restrict predicted, Real* __restrict remainder,
@@ -115,7 +115,7 @@ void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, 
   }
 }
 
-// Predicts moves, which a substep adds to positions.
+// Predicts the moves that a substep adds to positions.
 template <class Real>
 void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __restrict velocity, Real h,
                               Real* __restrict moved, Real* __restrict predicted, std::size_t first,
@@ -123,9 +123,9 @@ void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __re
   for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
 }
 
-// At the end of a substep, velocities change by the moves of projections, so without projections they lose no
-// digit. `velocity_remainder` holds what the rounded velocities lack. The arrays hold x, y, z, w of each
-// point in a row.
+// At the end of a substep, only the moves of projections change velocities, so velocities keep all digits if
+// projections move nothing. `velocity_remainder` has what rounding cuts off the velocities. The arrays have
+// x, y, z and w of each point, point after point.
 template <class Real>
 void update_velocities(const Real* __restrict moved, const Real* __restrict predicted, Real per_substep,
                        Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
@@ -138,7 +138,7 @@ void update_velocities(const Real* __restrict moved, const Real* __restrict pred
   }
 }
 
-// Updates velocities in the same way, and positions, if moves are kept apart from positions.
+// Updates velocities like update_velocities(), and positions. For moves that are stored apart from positions.
 template <class Real>
 void update_numbers(const Real* __restrict base, const Real* __restrict moved,
                     const Real* __restrict predicted, Real per_substep, Real* __restrict position,
@@ -153,8 +153,9 @@ void update_numbers(const Real* __restrict base, const Real* __restrict moved,
   }
 }
 
-// The data of a substep, beside State and Constraints. In single precision projections change positions or,
-// if positions hold too few digits, moves that are kept apart from positions (see Places).
+// The data of a substep that are not in State or Constraints. In single precision projections change
+// positions. If positions have too few digits, projections change moves, which are stored apart from
+// positions (see Places).
 template <class Real>
 struct PbdData {
   Points<Real> before_forces;  // velocities, m/s; with flight_limit only
@@ -170,7 +171,7 @@ struct PbdData {
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  // Double precision has enough digits: at 4096 substeps a second it rounds velocities by 10⁻¹¹ m/s.
+  // Double precision needs no remainders: at 4096 substeps a second velocities are rounded by 10⁻¹¹ m/s.
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_pass, Base::append_effects, Base::constraints_, Base::cut_substeps_, Base::find_divergence,
@@ -255,9 +256,8 @@ class PbdStep final : public TimeStep<Real> {
     context.substep = whole;
   }
 
-  // The number of parts that a substep is cut into. It depends on forces, not on velocities: the velocities
-  // of a cloth that is still strained would cut it ever finer, and each cut turns more of that strain into
-  // speed.
+  // The number of parts into which a substep is cut. The number depends on forces, not on velocities.
+  // Otherwise a strained cloth would cut substeps ever finer, because each cut turns strain into speed.
   int needed_force_steps(PassContext<Real>& context) {
     data_.before_forces = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
@@ -285,7 +285,7 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
     };
-    // Effects that move vertices need whole positions.
+    // Effects that move vertices need positions, so moves are added to positions before these effects.
     const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
       const auto first = static_cast<std::ptrdiff_t>(passes.size());
       for (const Stage stage : stages) add_effects(passes, stage);
@@ -328,8 +328,7 @@ class PbdStep final : public TimeStep<Real> {
                          forward_.back().statistics});
   }
 
-  // Calls action(first, last) on parts of all vertices' numbers (x, y, z, w in a row) and waits for all
-  // parts.
+  // Calls action(first, last) on parts of the numbers of all vertices (four each), and waits for all parts.
   template <class Action>
   void for_numbers(const Action& action) {
     for_vertices([&](std::size_t first, std::size_t last) { action(4 * first, 4 * last); });
@@ -346,7 +345,7 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // moved = position - previous where effects changed position.
+  // moved = position - previous for vertices that effects have moved.
   void take_moves_over() {
     const Real *const base = numbers(state_.previous), *const position = numbers(state_.position);
     Real* const moved = numbers(data_.moved);
@@ -358,8 +357,8 @@ class PbdStep final : public TimeStep<Real> {
     data_.are_put = true;
   }
 
-  // Keeps what the substep adds to a vertex apart from its position (see Places). The inverse mass, a
-  // vertex's fourth number, never changes.
+  // Predicts moves that are stored apart from positions (see Places). The fourth number of a vertex, the
+  // inverse mass, never changes.
   void predict_moves(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -368,7 +367,7 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // Predicts whole positions. The remainder keeps what their last digit cannot hold.
+  // Predicts whole positions. The remainder has what rounding cuts off the positions.
   void predict_positions(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -385,7 +384,7 @@ class PbdStep final : public TimeStep<Real> {
     for (const std::size_t v : data_.pinned) put_pin(v, state_.position[v], h);
   }
 
-  // Sets a pinned vertex exactly: a sum could round its last digit differently.
+  // Sets a pinned vertex exactly, because a sum could round the last digit differently.
   void put_pin(std::size_t v, const Point<Real>& where, Real h) {
     const Vector3Of<Real> way = where.vector() - state_.previous[v].vector();
     state_.position[v] = where, state_.velocity[v].set(way / h);
@@ -459,10 +458,10 @@ class PbdStep final : public TimeStep<Real> {
     find_divergence();
   }
 
-  // force_steps.hpp says how flight_limit cuts substeps.
+  // force_steps.hpp explains how flight_limit cuts substeps.
   Pbd pbd_;
-  // Single precision: whether projections change moves that are kept apart from positions (see Places), or
-  // whole positions.
+  // Single precision: whether projections change moves that are stored apart from positions (see Places);
+  // false: projections change whole positions.
   bool on_moves_;
   ConstraintTiles tiles_;
   std::optional<CoarseLevels<Real>> levels_;
@@ -478,11 +477,11 @@ void sort(const Pbd& settings, SimulationInput& input, const RestMesh& rest) {
   if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
 }
 
-// ---- what helps a run that failed
+// ---- remedies for a run that failed
 
-// experiments/measure_remedies.py has the trials and their numbers. These changes helped less, or not in
-// every scene: 40 iterations, 10 substeps × 1, the other precision, k / 10, the orders pins and mesh, a pinned
-// ring. Forward sweeps add energy in short substeps. In the trial 256 substeps were enough for that.
+// experiments/measure_remedies.py has the trials and their numbers. Other changes helped less, or not in
+// every scene: 40 iterations, 10 substeps with 1 iteration, another precision, k / 10, the orders pins and
+// mesh, a pinned ring. Forward sweeps add energy if substeps are short: in the trial, 256 substeps did.
 constexpr int many_substeps = 200;
 
 std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
@@ -520,7 +519,7 @@ std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
                     stretched_angle, stretched_normalised));
   if (run.is_pinned && steps.substeps < 10)
     texts.push_back(
-        fmt::format("/solver/substeps: 10, each with as many /solver/iterations (triangles {:.2g} to {:.2g} "
+        fmt::format("/solver/substeps: 10, with the same /solver/iterations (triangles {:.2g} to {:.2g} "
                     "instead of {:.2g} to {:.2g} times as long, in ten times the time)",
                     torn_in_10_substeps_least, torn_in_10_substeps_most, torn_least, torn_most));
   return texts;
@@ -535,8 +534,8 @@ constinit const MethodKind Pbd::kind{
         "velocities from the moves",
     .source = "Müller et al. 2007, §3; XPBD: Macklin et al. 2016; strain: Müller et al. 2014",
     .limits =
-        "stiffness given as k depends on substeps and iterations, and a compliance holds only as far as the "
-        "iterations converge; energy is not kept; forward sweeps gain energy in short substeps",
+        "stiffness given as k depends on substeps and iterations, and a compliance is exact only if the "
+        "iterations converge; energy is not conserved; forward sweeps gain energy in short substeps",
     .settings = table_of<Pbd>(fields),
     .passes = own_passes,
     .takes_own_elements = true,

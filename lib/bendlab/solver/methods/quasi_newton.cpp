@@ -4,22 +4,21 @@
 //
 //   A = W + Σ k DᵀD + Σ κ κᵀ / α
 //
-// A approximates the Hessian by scalars that are the same for x, y and z (elastic_metric.hpp). It is
-// constant, so it is factorised once, and its factor serves every iteration of the run. A contains the
-// stiffness of the membrane in its plane, and of bending in the rest shape. The pairs of moves and gradients
-// correct its errors: for example, a sheet has no stiffness along its normal. Pairs are kept from substep to
-// substep: G = ∇E + W x does not depend on y, so a pair of two substeps is as good as a pair of two
-// iterations. A history that starts anew with every substep takes many times the iterations.
+// A approximates the Hessian by scalars that are the same for x, y and z (elastic_metric.hpp). A is constant,
+// so A is factorised once, and every iteration of the run uses the factor. A contains the stiffness of the
+// membrane in its plane, and of bending in the rest shape. Pairs of moves and gradients correct the errors of
+// A: for example, A resists moves along the normal, but a flat sheet does not. Pairs of earlier substeps are
+// used, too: G = ∇E + W x does not depend on y, so a pair across two substeps is as good as a pair across two
+// iterations. Without earlier pairs many times the iterations would be needed.
 //
-// There is no line search: A is stiffer than the cloth in most directions, and energies in single precision
-// are too inexact to compare. PairHistory::add() says which pairs are kept. An iteration that would move a
-// vertex by more than `longest_move` is shortened. The slope of the energy at the end of a move is known
-// without a further pass. If the move went so far that the energy rises there, the next iteration goes back
-// to where a line through the slopes at both ends is 0. A substep goes on beyond its iterations while moves
-// are large.
+// There is no line search, because A is stiffer than the cloth in most directions, and energies in single
+// precision are too inexact to compare. PairHistory::add() says which pairs are used. A move is shortened if
+// a vertex would move by more than `longest_move`. The slope of the energy at the end of a move is known
+// without another pass. If the energy rises there, the move was too long, and the next iteration goes back to
+// where a line through the slopes at both ends is 0. Large moves cause additional iterations.
 //
-// Without pins the whole cloth is shifted so that W (x - y) sums to the contacts' force. Then only forces
-// change linear momentum.
+// Without pins the whole cloth is shifted until W (x - y) sums to the force of the contacts. So only forces
+// change momentum.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,13 +39,14 @@
 namespace bendlab {
 namespace {
 
-// Two threads pay off for more lanes than this (about 10 µs of work).
+// With more lanes than this (about 10 µs of work) two threads save time.
 constexpr std::size_t worthwhile_lanes = 4096;
 constexpr double longest_move = 0.1;      // of the cloth's size, per iteration
 constexpr double contact_per_weight = 5;  // stiffer contacts overshoot, because A does not follow them
-constexpr double larger_load = 2;         // times the load that the membrane was softened for: softens anew
+constexpr double larger_load = 2;         // times the load that the membrane was softened for
 constexpr double settled_move = 0.1;      // of an edge
-// In slopes at the start of a move. If the slope at its end is larger, a quadratic energy has risen.
+// The largest slope at the end of a move, relative to the slope at the start. If the slope at the end is
+// larger, a quadratic energy has risen.
 constexpr double most_overshoot = 1;
 
 constexpr std::array<std::string_view, 2> membrane_names = {"stated", "auto"};
@@ -54,17 +54,17 @@ constexpr std::array<std::string_view, 2> membrane_names = {"stated", "auto"};
 // clang-format off
 constexpr std::array own_fields = {
     field<&QuasiNewton::history>({.name = "history",
-              .meaning = "Number of pairs of moves and gradients that L-BFGS keeps (its m); 0: the constant "
-                         "matrix alone",
+              .meaning = "Number of pairs of moves and gradients that L-BFGS stores (its m); 0: only the "
+                         "constant matrix is used",
               .minimum = 0, .maximum = 100}),
     field<&QuasiNewton::membrane>({.name = "membrane",
-              .meaning = "stated: as stiff as the material says; auto: as soft as membrane_error allows, "
-                         "except near pins, if the material is stiffer. The number of iterations that a "
-                         "step needs grows as the square root of the membrane's stiffness",
+              .meaning = "stated: the stiffness of the material; auto: softer than the material as far as "
+                         "membrane_error allows, except near pins. The number of iterations that a step "
+                         "needs grows as the square root of the membrane's stiffness",
               .choices = membrane_names}),
     field<&QuasiNewton::membrane_error>({.name = "membrane_error", .unit = "1",
               .meaning = "With membrane auto: how far the softer membrane may move the cloth at rest under "
-                         "the first step's forces, in sizes of the cloth",
+                         "the first step's forces, as a share of the cloth's size",
               .minimum = 0, .above = true}),
 };
 // clang-format on
@@ -72,7 +72,7 @@ constexpr auto fields = joined(implicit_fields<QuasiNewton>, own_fields);
 
 constexpr std::array own_passes = [] {
   const auto [start, target, iterate, update] =
-      implicit_passes("quasi_newton: gradient, direction by the factors and pairs, move");
+      implicit_passes("quasi_newton: computes the gradient and the direction, and moves the cloth");
   return std::array{start, target,
                     MethodPass{"factorise", "the constant matrix, once, when the first forces are known"},
                     iterate, update};
@@ -137,8 +137,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   Real iterate() override {
     const bool first = data_.is_first_iteration;
     if (first) prepare_for_pins();
-    // W, and so the Hessian, changes in BDF2's second substep, and where contacts begin or end. Gradients
-    // also change when pins move.
+    // W, and with it the Hessian, changes in BDF2's second substep, and where contacts begin or end.
+    // Gradients also change when pins move.
     if (first && data_.weights_changed) pairs_.clear();
     if (first && (data_.weights_changed || this->pins_moved())) pairs_.forget_last();
     find_gradient();
@@ -154,13 +154,13 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     return move(1);
   }
 
-  // A large move may have gone too far, and only the next iteration finds that out.
+  // A large move may have been too long, and only the next iteration finds this out.
   bool must_go_on() const override {
     return stepped_back_ || last_longest_ > static_cast<Real>(settled_move) * edge_;
   }
 
-  // g = ∇E + W (x - y) has another y in every substep. Finds the change of g by that, -W times the change of
-  // y, and A⁻¹ times the change of g.
+  // g = ∇E + W (x - y) changes from substep to substep, because y changes. Computes the change of g, which is
+  // -W times the change of y, and A⁻¹ times the change of g.
   void find_target_change() {
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
       target_change_[v].set(data_.weight[v] * (last_target_[v].vector() - data_.target[v].vector()));
@@ -168,8 +168,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     last_target_ = data_.target;
   }
 
-  // For a move that went so far that the energy rises at its end. Goes back to where a line through the
-  // slopes at both ends is 0.
+  // If the energy rises at the end of a move: goes back to where a line through the slopes at both ends is 0.
   Real step_back(const typename PairHistory<Real>::Along& along) {
     const auto share = static_cast<Real>(along.after / (along.after - std::min(along.before, 0.0)));
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
@@ -180,7 +179,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   }
 
   // A membrane that was softened for the first loads is too soft for far larger loads, such as the inertia of
-  // cloth whose pin is snatched away. In that case the membrane is softened less.
+  // a cloth whose pin suddenly moves. For such loads the membrane is softened less.
   void prepare_for_pins() {
     if (!soft_membrane_ || !(softness_ > 1)) return;
     const double h = settings_.dt / settings_.substeps;
@@ -222,8 +221,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     factor_->renumber(free_);
   }
 
-  // If bending is small, A is as good without it. Then its factor has half as many numbers, because hinges
-  // join vertices that no triangle joins.
+  // If bending is small, A does not need bending. Without bending the factor of A has half as many numbers,
+  // because hinges join vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
     constexpr double most = 0.01;
     return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
@@ -260,8 +259,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                            : Vector3Of<Real>::Zero().eval());
   }
 
-  // Moves the cloth by -share direction_, or by less if that exceeds longest_move_. Returns the longest move,
-  // m.
+  // Moves the cloth by -share direction_, or by less, so that no vertex moves by more than longest_move_.
+  // Returns the longest move, m.
   Real move(Real share) {
     Real longest = 0;
     for (const int v : free_)
@@ -306,16 +305,18 @@ std::string remedy_of_lag(const QuasiNewton& settings, const UnconvergedRun& run
   using namespace measured;
   if (run.touches)
     return fmt::format(
-        "More /solver/substeps and iterations help where cloth touches something: on a ball that spins 1 "
-        "substep of 10 iterations left {:.2g} times the effects' forces, and 8 of 30 left {:.2g} times",
+        "More /solver/substeps and iterations help where cloth touches something: on a spinning ball the "
+        "unbalanced forces were {:.2g} times the effects' forces with 1 substep of 10 iterations, and {:.2g} "
+        "times with 8 substeps of 30 iterations",
         ball_quasi_newton_1x10, ball_quasi_newton_8x30);
   if (settings.membrane == QuasiNewton::Membrane::stated && run.has_strain)
     return fmt::format(
-        "In tests at 10⁴ N/m 10 iterations left {:.2g} times the effects' forces, 40 left {:.2g} times, and "
-        "10 with /solver/membrane: auto left {:.2g} times",
+        "In tests at 10⁴ N/m the unbalanced forces were {:.2g} times the effects' forces with 10 iterations, "
+        "{:.2g} times with 40 iterations, and {:.2g} times with 10 iterations and /solver/membrane: auto",
         quasi_newton_stated_10, quasi_newton_stated_40, quasi_newton_auto_10);
   return fmt::format(
-      "More /solver/iterations help: in tests 2 left {:.2g} times the effects' forces, 20 left {:.2g} times",
+      "More /solver/iterations help: in tests the unbalanced forces were {:.2g} times the effects' forces "
+      "with 2 iterations, and {:.2g} times with 20",
       quasi_newton_auto_2, quasi_newton_auto_20);
 }
 
@@ -334,7 +335,7 @@ constinit const MethodKind QuasiNewton::kind{
     .summary =
         "implicit steps by L-BFGS with a constant matrix that is factorised once; the fastest way to a pose "
         "at rest",
-    .source = "Liu, Bouaziz and Kavan 2017; ours: pairs are kept across steps, and the membrane is softened",
+    .source = "Liu, Bouaziz and Kavan 2017; ours: pairs are used across steps, and the membrane is softened",
     .limits =
         "needs energies: every stiffness is a compliance above 0; a step with few iterations lags behind "
         "the motion, more so with a stiffer membrane; takes no model whose force jumps",

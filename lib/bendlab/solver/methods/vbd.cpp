@@ -4,10 +4,10 @@
 //   (w 1 + Σ ψ'' ∇C ∇Cᵀ) Δx_i = w (y - x_i) - Σ ψ' ∇C + contact,    ∇ by x_i
 //
 // while all other vertices stay where they are. The implementation uses C and ∇C of every kind of constraint,
-// in double precision and on one thread. It shows how block descent converges, not how fast it can be.
+// in double precision and on one thread. So vbd shows how block descent converges, not how fast it can be.
 //
-// `acceleration` is Chebyshev's (Wang 2015): from the third iteration on x_k+1 = x_k-1 + ω (x_k + Δx -
-// x_k-1). ω follows from ρ, the spectral radius of a plain iteration.
+// `acceleration` is Chebyshev's method (Wang 2015). From the third iteration on, x_k+1 = x_k-1 + ω (x_k + Δx
+// - x_k-1). ω follows from ρ, the spectral radius of an iteration without acceleration.
 #include <array>
 #include <limits>
 #include <utility>
@@ -23,8 +23,9 @@ namespace {
 // clang-format off
 constexpr std::array own_fields = {
     field<&Vbd::acceleration>({.name = "acceleration", .unit = "1",
-              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of the error that a plain iteration "
-                         "leaves; 0: no acceleration. Iterations diverge if ρ is too large",
+              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of the error that remains after an "
+                         "iteration without acceleration; 0: no acceleration. Iterations diverge if ρ is too "
+                         "large",
               .minimum = 0, .maximum = 0.9999}),
 };
 // clang-format on
@@ -66,8 +67,8 @@ class VbdStep final : public ImplicitStep<double> {
     return data_.is_first_iteration ? first_left(longest) : left_after(longest);
   }
 
-  // How far vertices still are from the minimum, m, if the moves shrink further at the same rate. In stiff
-  // cloth a move is only a small share of that distance.
+  // How far vertices still are from the minimum, m, if the moves continue to shrink at the present rate. In
+  // stiff cloth a move is only a small share of the distance to the minimum.
   double first_left(double longest) {
     last_ = longest;
     return longest > 0 ? std::numeric_limits<double>::infinity() : 0;
@@ -77,8 +78,8 @@ class VbdStep final : public ImplicitStep<double> {
     return rate < 1 ? longest * rate / (1 - rate) : std::numeric_limits<double>::infinity();
   }
 
-  // Halves the step until the energy falls: a membrane's force along the normal of the sheet grows as the
-  // cube of a move, which the matrix does not contain.
+  // Halves the step until the energy falls. The matrix leaves out the force of a membrane along the normal of
+  // the sheet, which grows as the cube of a move.
   double descend(std::size_t v) {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
@@ -119,9 +120,10 @@ class VbdStep final : public ImplicitStep<double> {
   int iteration_ = 0;
 };
 
-// While its neighbours hold it, a vertex moves by 1 / (1 + C²) of its way. C is the Courant number of the
-// membrane. The table has the distance from newton's motion after n iterations, in sizes, mean over 1 and 2
-// s, for sheets of 8 and 16 cells with Y = 10 to 10⁵ N/m:
+// In one iteration a vertex moves by about 1 / (1 + C²) of its distance to the minimum, because its
+// neighbours resist. C is the Courant number of the membrane. The table has the distance from the motion of
+// newton after n iterations, in sizes of the cloth, as the mean over 1 and 2 s, for sheets of 8 and 16 cells
+// with Y = 10 to 10⁵ N/m:
 //
 //   n/C²       0.0005-0.005   0.014      0.018         0.045   0.054   0.18          0.54 and more
 //   distance   0.31-0.50      0.12-0.19  0.012, lost   0.03    0.005   0.001-0.003   0.001, 0.01 at C² = 6

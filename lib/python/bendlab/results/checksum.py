@@ -30,8 +30,8 @@ def seal(path):
 
 
 def seal_of(path):
-    """The state of a file: "whole": as it was written; "broken": changed since then; "none": without a
-    checksum, because it is unfinished or not ours."""
+    """The state of a file: "whole" if its checksum is right, "broken" if its checksum is wrong, "none" if it
+    has no checksum, because it is unfinished or was not written by bendlab."""
     size = Path(path).stat().st_size
     if size < LENGTH:
         return "none"
@@ -44,7 +44,8 @@ def seal_of(path):
 
 
 def require_readable(path):
-    """OSError unless HDF5 may read the file here: its checksum is right, or a child process has read it."""
+    """Raises OSError if HDF5 may crash on the file: the checksum is wrong, or the file has no checksum and a
+    child process could not read it."""
     path = Path(path)
     if not path.is_file():
         raise OSError(f"{path} is not a file")

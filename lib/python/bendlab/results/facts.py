@@ -7,16 +7,16 @@ import json
 
 
 class Facts:
-    """The facts of an open run file: `json` (everything), and from it `id`, `name`, `status`, `config`,
-    `provenance` (name → text), `summary` and `timing` (name → number), `passes` [(name, seconds, calls,
-    acted)], `counts` (kind of constraint → how many), `columns` (name of a metric → (unit, meaning)),
-    `inputs` [(name, bytes)]."""
+    """What an open run file says besides its arrays. `json` has everything; the other members are parts of
+    `json`: `id`, `name`, `status`, `config`, `provenance` (name → text), `summary` and `timing` (name →
+    number), `passes` [(name, seconds, calls, acted)], `counts` (kind of constraint → how many), `columns`
+    (name of a metric → (unit, meaning)), `inputs` [(name, bytes)]."""
 
     def __init__(self, file):
         self.json = json.loads(file["outcome" if "outcome" in file else "facts"][()].tobytes())
         self.id, self.name, self.status, self.config, self.provenance, self.counts = (
             self.json[name] for name in ("id", "name", "status", "config", "provenance", "constraints"))
-        # A number that JSON cannot express is a text: nan, inf or -inf.
+        # Numbers that JSON cannot express are texts: nan, inf and -inf.
         self.summary = {name: float(value) for name, value in self.json["summary"].items()}
         self.timing = {name: float(self.json[name]) for name in ("wall_s", "cpu_s", "step_cpu_s")}
         self.passes = [(name, float(seconds), *counts)

@@ -1,8 +1,7 @@
 """The only reader of run files. Layout: lib/bendlab/io/run_file.hpp.
 
-A run file is open only while something is read from it, so that thousands of runs can be listed at once.
-Most run files are not opened for a list, because the index of their folder has what the list needs
-(run_index.py).
+A run file is open only while something is read from it, so that thousands of runs can be listed at once. Most
+lists do not even open the run files, because the index of the folder has what a list needs (run_index.py).
 Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
 import json
@@ -24,13 +23,13 @@ from bendlab.results.run_index import Index, stamp_of
 
 
 def _opened(path):
-    """The HDF5 file. Its checksum is tested first, because the run may be known only from an index."""
+    """The opened HDF5 file. Tests the checksum first, because lists of runs do not open the files."""
     require_readable(path)
     return h5py.File(path, "r")
 
 
 class Metrics(Mapping):
-    """Name → (F) array of a run file. Each array is read on first use."""
+    """Name of a metric → (F) array of a run file. All arrays are read when the first is needed."""
 
     def __init__(self, path, names, frames):
         self._path, self.frames, self._arrays = path, frames, dict.fromkeys(names)
@@ -55,7 +54,7 @@ class Metrics(Mapping):
 
 @dataclass
 class Run:
-    """A run. Small data are read at once, metrics and frames when they are needed."""
+    """A run. Metrics and frames are read when they are needed; all other data are read at once."""
 
     file: Path
     id: str
@@ -86,7 +85,7 @@ class Run:
         return _json(self.provenance.get("implausible"), None)
 
     def get(self, pointer, default=None):
-        """The value at a JSON pointer in the resolved config."""
+        """The value at a JSON pointer in the config with all defaults."""
         return at(self.config, pointer, default)
 
     @property
@@ -103,12 +102,12 @@ class Run:
 
     @property
     def complete(self):
-        """Whether all frames are there. An implausible run is complete: figures show it."""
+        """Whether the run has all its frames. An implausible run has all frames, too, and figures show it."""
         return self.status in ("complete", "implausible")
 
     @property
     def over(self):
-        """Whether the run would end in the same way if it were repeated."""
+        """Whether the run is complete or diverged, so that a repeated run would end in the same way."""
         return self.complete or self.status == "diverged"
 
     def frame_index(self, frame):
@@ -119,7 +118,7 @@ class Run:
         return index
 
     def last_second(self):
-        """Frame numbers within the last simulated second, its beginning excluded, as the program counts."""
+        """Numbers of the frames in the last simulated second, without the frame at its beginning."""
         time = self.metrics["time"]
         return np.flatnonzero(time > time[-1] - 1 + 1e-9) if len(time) else np.array([], int)
 
@@ -131,7 +130,7 @@ class Run:
             return file["VTKHDF/Points"][index * count:(index + 1) * count].astype(float)
 
     def trajectory(self, frames=None):
-        """(F, V, 3) positions of all frames, or of the frames with these numbers, float64."""
+        """(F, V, 3) positions of all frames, or of the frames with the numbers `frames`, float64."""
         with _opened(self.file) as file:
             count = len(file["rest/positions"])
             points = file["VTKHDF/Points"]
@@ -143,7 +142,7 @@ class Run:
             return positions
 
     def cell(self, name, frame=-1):
-        """(T) values of a cell field of a frame."""
+        """(T) values of a field on the triangles, in a frame."""
         index = self.frame_index(frame)
         with _opened(self.file) as file:
             count = len(file["rest/triangles"])
@@ -180,8 +179,8 @@ class Run:
 
     @cached_property
     def obstacles(self):
-        """Index of an effect → (points, triangles, velocity) of its surface at time 0. {} for obstacles that
-        an older program did not record."""
+        """Index of an obstacle in /effects → (points, triangles, velocity) of its surface at time 0. {} if an
+        older program wrote the file, which did not record obstacles."""
         if self.file is None:
             return {}
         with _opened(self.file) as file:
@@ -200,7 +199,7 @@ class Run:
             return {}
 
     def constraints(self, kind):
-        """(C, n) vertices of every constraint of a kind. KeyError if the run did not record them."""
+        """(C, n) vertices of the C constraints of a kind. KeyError if the run did not record constraints."""
         with _opened(self.file) as file:
             name = f"constraints/{kind}/vertices"
             if name not in file:
@@ -227,19 +226,19 @@ def at(config, pointer, default=None):
 
 
 def method_name(solver):
-    """The method of a config's /solver, with the integrator if that is not the default: "newton, euler"."""
+    """The method of a config's /solver, and the integrator if it is not the default: "newton, euler"."""
     name, integrator = solver.get("method", "pbd"), solver.get("integrator")
     return name if integrator in (None, registry.usual(name, "integrator")) else f"{name}, {integrator}"
 
 
 def load_run(path):
-    """A run from its file, finished or not (`.part`). OSError: the file is not readable, or was changed after
-    it was written; KeyError: it is not a run file."""
+    """The run of a finished or unfinished (`.part`) file. Raises OSError if the file is not readable, or was
+    changed after it was written; KeyError if it is not a run file."""
     return _run_of(Path(path), _read(path))
 
 
 def _read(path):
-    """What a run file says, without metrics and frames. An index has a part of this."""
+    """What a run file says, without metrics and frames. An index has only a part of these data."""
     with _opened(path) as file:
         return {**Facts(file).json, "frames": len(file["metrics/values"])}
 
@@ -272,12 +271,12 @@ def _learn(models, methods):
 
 
 def load_runs(folder):
-    """All runs below a folder, in the order of their configs; of runs with equal configs, the newest complete
-    run. [] if there is no run.
+    """All runs below a folder, in the order of their configs. If several runs have equal configs, only the
+    newest complete run is returned. [] if there is no run.
 
-    Old results may lie beside new results: load_experiment() (sweeps.py) returns only the results of one
-    program and one sweep. Reference runs (`/accuracy`) lie in a folder `references`. They are left out unless
-    `folder` is that folder.
+    A folder may have old and new results: load_experiment() (sweeps.py) returns only the results of one
+    program and one sweep. Reference runs (`/accuracy`) are in folders named `references`, and are left out
+    unless `folder` itself is such a folder.
     """
     best = {}
     folder = Path(folder)
@@ -294,7 +293,7 @@ def load_runs(folder):
 
 
 def _run_files(folder):
-    """Paths (str) of the run files below a folder, sorted, without the run files of references."""
+    """Sorted paths (str) of the run files below a folder, without reference runs."""
     paths = []
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if name != "references"]
@@ -304,7 +303,7 @@ def _run_files(folder):
 
 
 class Indices:
-    """The indices of a folder: its own, and those of the folders in it."""
+    """The indices of runs in a folder: the folder's own index, and the indices of the folders in it."""
 
     def __init__(self, folder):
         self._folder, self._own, self._new = Path(folder), Index(folder), 0
@@ -319,8 +318,8 @@ class Indices:
         return stated or next(filter(None, (index.find(path, stamp) for index in self._others)), None)
 
     def run(self, path):
-        """The run of a file (str) below the folder: from an index if the index knows the file in its present
-        state, else from the file. Raises what load_run() raises."""
+        """The run of a file (str) below the folder. If an index has the present state of the file, the run
+        comes from the index, otherwise from the file. Raises the same errors as load_run()."""
         stamp = stamp_of(path)
         stated = self._find(path, stamp)
         if stated:
@@ -332,14 +331,14 @@ class Indices:
         return _run_of(Path(path), stated)
 
     def write(self):
-        """Writes what was read from files into the folder's own index."""
+        """Adds the runs that were read from files to the folder's own index."""
         if self._new:
             self._own.write()
 
 
 def load_if_begun(path, indices=None):
-    """The run, or None if the file is not there, is damaged (then stderr names the file), or is cut off
-    before its first frame. `indices`: the indices of a folder above the file."""
+    """The run of a file; None if the file is missing, has no frame yet, or is damaged (stderr then names the
+    file). `indices`: the Indices of a folder above the file."""
     if not os.path.exists(path):
         return None
     try:
@@ -352,7 +351,7 @@ def load_if_begun(path, indices=None):
 
 
 def select(runs, **wanted):
-    """Runs with these values, '__' for '/': select(runs, bending__model='lod', mesh__cells=64)."""
+    """The runs whose configs have these values; '__' stands for '/': select(runs, mesh__cells=64)."""
     pointer = {key: "/" + key.replace("__", "/") for key in wanted}
     return [run for run in runs if all(run.get(pointer[key]) == value for key, value in wanted.items())]
 
@@ -366,13 +365,13 @@ def group(runs, key):
 
 
 def by_model(runs):
-    """Model → runs, in the order of the program's models."""
+    """Model → its runs, in the order of the program's models."""
     return dict(sorted(group(runs, lambda run: run.model).items(),
                        key=lambda entry: registry.model_place(entry[0])))
 
 
 def values(runs, name):
-    """(R) values of a summary entry. Runs without it are left out; a diverged run counts as infinite."""
+    """(R) values of the metric `name`. Runs without this metric are left out, but diverged runs have inf."""
     numbers = [run.summary.get(name, np.inf if run.status == "diverged" else np.nan) for run in runs]
     numbers = np.array(numbers, float)
     return numbers[~np.isnan(numbers)]
@@ -412,10 +411,10 @@ def statuses(runs):
 
 
 def typical_run(runs, metric="pin_max_stretch"):
-    """(run, its last frame) of the run whose median over the last second is nearest to all runs' median.
+    """(run, last frame) of the typical run: the median of `metric` over its last second is nearest to the
+    median of all runs. None if there are no runs.
 
-    None without runs. The last frame is taken, and not a typical frame, so that all panels of a figure show
-    the same time.
+    The frame is not a typical frame but the last frame, so that all panels of a figure show the same time.
     """
     middles = [(np.median(seen), run) for run in runs
                if len(seen := run.metrics[metric][run.last_second()]) and np.isfinite(np.median(seen))]

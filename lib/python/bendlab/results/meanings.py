@@ -2,12 +2,12 @@
 
 
 class Meanings:
-    """Units and meanings for some runs, from the file of the first run that knows a name. ("", "") for an
-    unknown name."""
+    """Units and meanings of metrics and settings, each from the file of the first run that has the name.
+    ("", "") for an unknown name."""
 
     def __init__(self, runs):
         kinds = {}
-        for run in runs:  # runs of one kind know the same names
+        for run in runs:  # runs with equal keys have the same names
             if run.file:
                 kinds.setdefault((run.get("/bending/model"), run.get("/solver/method"),
                                   len(run.get("/effects", []))), run)

@@ -1,8 +1,8 @@
-"""The bending models and solver methods that the program has, in its order, with their traits.
+"""The bending models and solver methods of the program, in the program's order, with traits (properties).
 
-configs/schema.json lists the models and methods of this checkout, so that pages are laid out without runs.
-Run files and sweep files list the models and methods of the program that wrote them, which may have more:
-the additional ones come last.
+configs/schema.json lists the models and methods of this checkout, so that pages can be laid out before there
+are runs. A run file or sweep file lists the models and methods of the program that wrote it. If this program
+had more, the additional models and methods come last.
 """
 import json
 from pathlib import Path
@@ -12,8 +12,8 @@ _models, _methods = {}, {}  # name → traits, as far as they are known
 
 
 def learn(models, methods):
-    """Adds the models and methods that a file lists. Older files have a label in place of a model's traits,
-    and no methods."""
+    """Adds the models and methods that a file lists. Older files list no methods, and labels of models in
+    place of traits."""
     for known, listed in ((_models, models), (_methods, methods)):
         for name, traits in listed.items():
             known.setdefault(name, {}).update(traits if isinstance(traits, dict) else {})
@@ -55,13 +55,13 @@ def is_prestressed(model):
 
 
 def has_springs_at_rest(model):
-    """Whether the model's constraints are springs that do not push in the sheet at rest: their moment is
-    C κ³."""
+    """Whether the model's constraints are springs that do not push in the sheet at rest. The moment of such
+    springs is C κ³ (κ: curvature)."""
     return made_of(model) == "springs" and not is_prestressed(model)
 
 
 def usual(method, setting):
-    """The default of a method's own setting, if the setting is a choice; else None."""
+    """The default of a setting of a method, if the setting has a list of choices; else None."""
     return _methods.get(method, {}).get(setting)
 
 

@@ -1,4 +1,4 @@
-"""The index of a folder of results, as the program writes it (experiments/campaign/run_index.hpp)."""
+"""The index of a folder of results: a file with a line for each run (experiments/campaign/run_index.hpp)."""
 import json
 import os
 import secrets
@@ -13,14 +13,14 @@ PARTS = ("summary", "provenance", "config")  # the parts of a line after its hea
 
 
 def stamp_of(path):
-    """(size, modified, changed) of a file, in bytes and ns. A line is valid while its file has this stamp."""
+    """(size, modified, changed) of a file, in bytes and ns. A line of an index has this stamp, or is old."""
     status = os.stat(path)
     return status.st_size, status.st_mtime_ns, status.st_ctime_ns
 
 
 class Index:
-    """What an index says about the finished runs below its folder. An index that is missing or damaged is
-    empty."""
+    """What an index says about the finished runs below its folder. A missing or damaged index is read as an
+    empty index."""
 
     def __init__(self, folder):
         self.folder, self._lines = Path(folder), {}  # path below the folder → line
@@ -38,8 +38,8 @@ class Index:
         return len(self._lines)
 
     def find(self, path, stamp):
-        """{id, name, …, summary, provenance, config} of a file (str) below the folder with this stamp, or
-        None."""
+        """{id, name, …, summary, provenance, config} of a file (str) below the folder; None if the index has
+        no line of this file with this stamp."""
         line = self._lines.get(path[len(str(self.folder)) + 1:])
         if line is None:
             return None
@@ -50,7 +50,7 @@ class Index:
         return {**head, **dict(zip(PARTS, parts))}
 
     def put(self, path, stamp, run):
-        """Adds the line of a file (str) below the folder: `run` is what the file says."""
+        """Adds the line of a file (str) below the folder. `run` is what the file says."""
         parts = [{name: run[name] for name in HEAD}, *(run[name] for name in PARTS)]
         name = path[len(str(self.folder)) + 1:]
         if "\t" in name or "\n" in name:
@@ -59,7 +59,7 @@ class Index:
         self._lines[name] = "\t".join([name, *map(str, stamp), *texts])
 
     def write(self):
-        """Replaces the index on the disk in one step; does nothing if that is not possible."""
+        """Replaces the index on the disk in one step. Does nothing if the folder cannot be written."""
         lines = os.fsencode("".join(line + "\n" for name, line in sorted(self._lines.items())
                                     if os.path.isfile(f"{self.folder}/{name}")))
         draft = self.folder / f"{NAME}.{os.getpid()}-{secrets.token_hex(8)}.tmp"
