@@ -182,7 +182,7 @@ def _row_interval(x, y, centre):
 
 
 def _keep_nearest(best, owner, pixel, depth, ids):
-    """Where depth > best[pixel], stores the depth and the owner's id. `pixel` may repeat pixels."""
+    """Stores depth and owner of each pixel that is nearer (has a larger depth) than best[pixel]."""
     while len(pixel):
         better = depth > best[pixel]
         pixel, depth, ids = pixel[better], depth[better], ids[better]

@@ -105,10 +105,11 @@ def runs_html(runs):
              "work": accuracy_runs.work(run), "precision": run["settings"].get("precision", ""),
              "physical": percent(run, "error_physical_rms"), "solver": percent(run, "error_solver_rms"),
              "ms": run.get("ms_per_frame"), "status": run["status"]} for run in runs]
-    return table_html(Table.of("runs", "Every run", [
+    table = Table.of("runs", "Every run", [
         "run", "scene", "model", "cells", ("work", "substeps × iterations"), "precision",
         ("physical", "physical error", "", "%"), ("solver", "solver error", "", "%"),
-        ("ms", "time per frame", "", "ms"), "status"], rows), opens="run") or "<p>There are no runs.</p>"
+        ("ms", "time per frame", "", "ms"), ("status", "verdict")], rows)
+    return table_html(table, opens="run") or "<p>There are no runs.</p>"
 
 
 PAGE = Page("accuracy", "What does accuracy cost?", "./bendlab reproduce accuracy", FIGURES, content,

@@ -177,5 +177,5 @@ def power(runs):
 
 
 def as_stated(*columns):
-    """Lines at 1 in a chart, for columns that are 1 if the stiffness is as stated."""
+    """Lines at 1 in a chart of these columns: 1 means that the stiffness is as stated."""
     return [(column, 1, "as stated") for column in columns]

@@ -46,7 +46,7 @@ class RunTable:
 
     def _head(self):
         text = lambda name: f"<th class='t choose'>{name}</th>"
-        yield "<th class='t'>run</th>" + text("status")
+        yield "<th class='t'>run</th>" + text("verdict")
         if self.several:
             yield text("sweep")
         for axis in self.axes:

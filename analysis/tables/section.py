@@ -115,7 +115,7 @@ class Section:
 
 
 def short(value):
-    """A hash of an object of JSON, eight letters long."""
+    """A hash of an object of JSON, eight hexadecimal digits long."""
     return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()[:8]
 
 

@@ -58,7 +58,7 @@ class Question {
   /// damping. `motion` for all other scenes.
   ErrorOf natural_error() const;
 
-  /// The section /accuracy of runs that are compared with `reference`.
+  /// The section /accuracy of a config whose runs are compared with `reference`.
   Json accuracy(const Reference& reference) const;
 
   /// One run of the scene with `setting`; /duration is multiplied by `times`. Throws ConfigError if the

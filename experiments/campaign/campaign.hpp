@@ -66,7 +66,7 @@ std::string failure_in(const std::filesystem::path& folder);
 /// The runs of all experiments, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
-/// What several runs need in total.
+/// Time, disk space and memory that several runs need.
 struct Needs {
   double cpu_s = 0, disk_bytes = 0;
   double most_memory_bytes = 0;  ///< memory of the largest run

@@ -379,9 +379,10 @@ void add_export_command(CLI::App& app, Arguments& a) {
                    "(default: all)")
       ->type_name("FIRST:LAST:STEP");
   exported
-      ->add_option("--up", a.exported.up,
-                   "Turn the run so that this axis points up (default: the run is not turned, and gravity "
-                   "decides whether the file says that y or z is up)")
+      ->add_option(
+          "--up", a.exported.up,
+          "Turn the run so that this axis points up (default: do not turn the run; the file states y "
+          "or z as up, by the direction of gravity)")
       ->check(CLI::IsMember(std::vector<std::string>(up_axis_names.begin(), up_axis_names.end())));
   exported->add_flag("--force", a.exported.force, "Replace the files of an earlier export");
   add_results(exported, a.exported.folder);

@@ -55,8 +55,8 @@ std::string soft_text(const std::string& what, double share, double substeps) {
   if (share < least_known_share)
     return fmt::format(
         "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states. The estimate "
-        "of {:.2g} % is too small to be reliable, and a cloth that shakes may have more. About {:.0f} "
-        "substeps or more would give the cloth 90 %{}",
+        "of {:.2g} % is too small to be reliable, and a cloth that shakes may have more. With "
+        "about {:.0f} substeps the cloth would have 90 % of the stated stiffness{}",
         100 * least_known_share, what, 100 * share, substeps,
         what == "bending" ? "; 'bendlab stiffness' measures a strip" : "");
   return fmt::format(

@@ -143,9 +143,10 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Built
                                                                  : std::numeric_limits<double>::quiet_NaN()});
     return fmt::format(
         "the strip shows no stiffness: H/W is {:.3g}, {}; {}", height_over_width->second,
-        reach < edge ? fmt::format("so the strip turns downward within {:.2g} m, but edges are {:.2g} m long",
-                                   reach, edge)
-                     : "and at fewer than three points the curvature is above rounding",
+        reach < edge
+            ? fmt::format("so the strip turns downward within {:.2g} m, but edges are {:.2g} m long", reach,
+                          edge)
+            : "and fewer than three points have a curvature that is clearly larger than its rounding error",
         read.coefficient > 0 ? strip_that_would_do(read, weight_of(config))
                              : "take a longer strip, or more cells, and let the strip come to rest");
   }

@@ -35,7 +35,7 @@ struct BrokenBound {
   std::string advice{};            ///< remedies that helped in tests; empty if none is known
 };
 
-/// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", with the advice.
+/// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", followed by the advice.
 std::string text_of(const BrokenBound& broken);
 /// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}. In the text of this
 /// JSON, numbers that are not finite become null.

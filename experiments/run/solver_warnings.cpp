@@ -92,7 +92,7 @@ double softening_by(double excess, bool levels) {
   return 1 + (levels ? std::min(excess, 1.6 * std::pow(excess, 0.44)) : excess);
 }
 
-// Whether tethers hold the cloth instead of its membrane.
+// Whether a projected membrane needs tethers to hold the cloth, and the scene has them.
 bool has_tethers(const BuiltScene& scene) {
   return !scene.pins.all.empty() && !membrane_needs_no_tethers(scene) &&
          std::ranges::any_of(scene.effects,

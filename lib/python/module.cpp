@@ -171,8 +171,8 @@ PYBIND11_MODULE(_core, module) {
       .def_property_readonly("warnings", &PythonCloth::warnings,
                              "(code, text) of each warning about the scene, as `bendlab run` prints it.")
       .def("energies", &PythonCloth::energies,
-           "Energies, J: kinetic, weight (0 at the start), strain, and each kind of bending constraint. "
-           "Constraints whose stiffness is given as k have no energy.")
+           "Energies, J: kinetic, the potential energy of the weight (0 at the start), strain, and each kind "
+           "of bending constraint. Constraints whose stiffness is given as k have no energy.")
       .def("forces", &PythonCloth::forces, "(V, 3), N, by kind of constraint; 0 at pinned vertices.");
   add_own_parts(module);
   add_runs(module);

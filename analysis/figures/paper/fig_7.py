@@ -65,7 +65,7 @@ def _claims(cases, rates):
         normal.append(all(s.median < 1 for s in pin + most) and max(s.median for s in pin[1:]) <= 1.25
                       * pin[0].median)
     return [Claim("7", "Scaling n changes the material.", "with and without damping, the cloths of n × 1, × "
-                  "2 and × 4 are more than twice as far apart (RMS) as the cloths of two seeds of one n",
+                  "2 and × 4 are more than twice as far apart (RMS) as two cloths with one n and two seeds",
                   shapes, all(changed) if changed else None,
                   setting="one substep of 10 iterations, while the sheets swing"),
             Claim("7", "Scaling n does not cause abnormal deformation.", "with and without damping, the "

@@ -184,7 +184,7 @@ def _apart(runs, other_runs, damping, where=slice(None)):
     pairs = [distance(a, b, where) for a in runs for b in other_runs
              if a.get("/initial/seed") != b.get("/initial/seed")]
     if not pairs or not np.isfinite(pairs).all():
-        raise NotMeasured("the distance of two seeds")
+        raise NotMeasured("how far sheets with different seeds are apart")
     return float(np.median(pairs))
 
 
@@ -198,10 +198,10 @@ def lod_looks_the_same(runs):
         "6", "LOD를 사용하지 않은 굽힘 스프링 구조와 LOD기반 스프링 구조의 시각적 차이는 거의 발생하지 않았지만, 20% 적은 개수의 굽힘 스프링만을 사용하였다.",
         "There was hardly any visual difference between the structures without LOD and with LOD, although "
         "LOD used 20 % fewer springs.",
-        "a sheet with 15 to 25 % fewer springs (LOD with a ring t) has a distance from a sheet with all "
-        "springs of at most 1.25 times the distance of two seeds with all springs, or of at most "
-        f"{100 * SEEN:.0f} % of the size",
-        "distance from the sheet with all springs (in brackets: of two seeds with all springs)",
+        "a sheet with 15 to 25 % fewer springs (LOD with a ring t) differs from a sheet with all springs by "
+        "at most 1.25 times as much as two sheets with all springs that start from different seeds, or by "
+        f"at most {100 * SEEN:.0f} % of the size",
+        "distance from the sheet with all springs (in brackets: two seeds, all springs)",
         note=HOW_FAR + " At N = 64, t = 5 has 17 % fewer springs if m is rounded. If m is rounded down, no "
         "ring t has 15 to 25 % fewer springs, so there are no boxes.")
     for place, kinds in _variants(runs, lambda run: run.get("/bending/lod/t", "full")).items():
@@ -239,11 +239,12 @@ def material_changes(runs):
     claim = ClaimMap(
         "7", "Fig 7은 우리의 방법을 이용하여 옷감의 재질을 변화시킨 결과이다.",
         "Scaling n changes the material of the cloth.",
-        "the distance of the sheets with n × 1 and n × 4 is more than twice that of two seeds with n × 1, "
-        f"and more than {100 * SEEN:.0f} % of the size. Vertices near the pin are left out, because the "
+        "a sheet with n × 1 and a sheet with n × 4 are more than twice as far apart as two sheets with n × 1 "
+        f"that start from different seeds, and farther apart than {100 * SEEN:.0f} % of the size. "
+        "Vertices near the pin are left out, because the "
         "longer springs of the pin with n × 4 stiffen this zone directly",
-        "distance of n × 1 and n × 4 outside the zone (in brackets: over the whole sheet; of two seeds "
-        "outside the zone)", note=HOW_FAR)
+        "distance of n × 1 and n × 4 outside the zone (in brackets: over the whole sheet; two seeds with "
+        "n × 1, outside the zone)", note=HOW_FAR)
     for place, kinds in _variants(runs, _multiplier).items():
         if {1, 4} <= set(kinds):
             claim.cells[place] = cell(kinds[1] + kinds[4],

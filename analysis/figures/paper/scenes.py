@@ -147,7 +147,7 @@ def _table(experiments):
             | {metric: run.summary.get(metric) for metric in ("mean_strain", "max_stretch", "worst_stretch")}
             for name, experiment in experiments.items() for run in experiment.runs]
     return Table.of("scenes", "Every run", [
-        "scene", "model", "status", ("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
+        "scene", "model", ("status", "verdict"), ("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
         ("worst_stretch", "worst σ₁ of all frames"), ("degenerate", "degenerate triangles", ".0f"),
         ("clearance", f"smallest distance from an obstacle, {LOOKS} frames", ".1f", "mm"),
         ("cpu", "processor time", ".1f", "s")], rows)

@@ -111,6 +111,6 @@ def shown(row):
 
 
 def table(id, caption, columns, rows):
-    """A table of shown() rows. `columns`: ids in COLUMNS, or arguments of Table.of()."""
+    """A table of shown() rows. A column is an id in COLUMNS, or a column of Table.of()."""
     return Table.of(id, caption, [COLUMNS.get(column, column) if isinstance(column, str) else column
                                   for column in columns], rows)

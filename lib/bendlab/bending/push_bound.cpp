@@ -11,10 +11,11 @@ namespace bendlab {
 namespace {
 
 // Stiffness of a membrane that is projected once per substep, in units of m / h² (m: mass of a vertex, h:
-// substep). Measured on sheets of 16 cells with B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps and an excess of
-// 0.1 and 1: the growth divided by T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the equilateral
-// lattice, 1.1 to 1.2 on alternating diagonals, and 0.6 with both diagonals. One substep of 10 iterations
-// resists up to 1.4 times the push of 10 substeps of one iteration.
+// substep). The value 1 predicts that a sheet grows by T h² / m (push_bound.hpp). The measured growth is
+// 0.8 to 0.9 of this prediction on irregular sheets, 1.0 to 1.1 on the equilateral lattice, 1.1 to 1.2 on
+// alternating diagonals, and 0.6 with both diagonals (sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to
+// 256 substeps, an excess of 0.1 and 1). One substep of 10 iterations resists up to 1.4 times the push of
+// 10 substeps of one iteration.
 constexpr double membrane_of_one_projection = 1;
 
 constexpr double at_rest = 1e-6;  // relative to a spring's length, as in calibration.cpp

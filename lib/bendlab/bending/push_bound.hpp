@@ -1,4 +1,4 @@
-// A bound on the excess of springs that push in the flat sheet, for a solver that cannot balance the push.
+// A bound on the excess length of springs that push in the flat sheet. Some solvers cannot balance the push.
 //
 // Springs of length L with the forces f put the tension T = Σ f L / 2A (N/m) on the membrane. A membrane
 // that is projected n times per substep h resists as if its stiffness were about n m / h², where m is the

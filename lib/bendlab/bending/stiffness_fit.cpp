@@ -61,7 +61,8 @@ void StiffnessFit::scale_to(const std::vector<double>& wanted) {
 // A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0. For each direction,
 // the energy that a constraint gives to a vertex is multiplied by the ratio of the wanted energy to the
 // present energy of the vertex. The sum of these products is the constraint's new energy. The iteration keeps
-// f positive. Of the many solutions, the iteration finds one near the model's own proportions.
+// f positive. There are many solutions. The iteration finds one whose
+// stiffnesses have nearly the same ratios as the model's own stiffnesses.
 void StiffnessFit::improve(const std::vector<double>& wanted) {
   // A power above 1 saves rounds, because errors that fall slowly then fall faster. An error that one step
   // with the power 1 would remove is halved instead.

@@ -38,7 +38,8 @@ struct PackConstraint {
 /// A kind with one of its laws, for the lanes of a pack. A specialisation inherits from ElasticKernel and has
 ///
 /// * `evaluate(p, rest)` → PackConstraint: Kind::value() of the lanes;
-/// * `rest_size_squared(rest)`, m²: the square of a length that is at most the constraint's size at rest;
+/// * `rest_size_squared(rest)`, m²: the square of the constraint's size at rest, or less. (The size is the
+///   largest distance of two corners. Hinges use the rest length of their edge.)
 /// * `exceeds_rest_size(squared, rest)`: the lanes in which `squared` is larger than rest_size_squared().
 template <class Real, class Kind, typename Kind::Law law>
 struct PackKernel;

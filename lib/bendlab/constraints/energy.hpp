@@ -8,7 +8,7 @@
 
 namespace bendlab {
 
-/// Elastic energy in J times the scene's compliance.
+/// Elastic energy (J) multiplied by the scene's compliance.
 double elastic_energy(const DistanceConstraints& list, const Positions& positions);
 template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);

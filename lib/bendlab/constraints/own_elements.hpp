@@ -46,7 +46,7 @@ OwnValues evaluate(const OwnElements& list, const Positions& positions);
 /// Second derivatives of C (or U) by central differences: #C symmetric matrices, 3 arity by 3 arity.
 std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions);
 
-/// Elastic energy in J times the scene's compliance.
+/// Elastic energy (J) multiplied by the scene's compliance.
 double elastic_energy(const OwnElements& list, const Positions& positions);
 
 /// Own elements in the order in which the solver projects them. Vertices are permuted.

@@ -14,8 +14,9 @@ namespace {
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
 
-// If places are split (point.hpp), a, b and c are the moves of the corners, and first_base and second_base
-// are the edges between the bases. Moves and edges are stored apart, because their sum would lose digits.
+// If each position is stored as base + move (split places, point.hpp), a, b and c are the moves of the
+// corners, and first_base and second_base are the edges from a to b and from a to c between the bases. Their
+// sum would lose digits.
 template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;

@@ -11,7 +11,8 @@ namespace {
 
 // Added to the margin, because boxes are rounded to float. Relative to the largest coordinate of a box.
 constexpr double box_rounding = 4e-7;
-// A box has three coordinates in four lanes. In the fourth lane all boxes have this extent and overlap.
+// A box has three coordinates in four lanes. In the fourth lane every box reaches from
+// -endless to endless, so all boxes overlap there.
 constexpr float endless = 1e30F;
 // A pair touches at rest (a seam that is not welded) if its distance is smaller. Relative to the thickness.
 constexpr double touching = 1e-6;

@@ -38,7 +38,7 @@ Point point_of(const Vector3& x) {
   return {x.x(), x.y(), x.z()};
 }
 
-// rad. An edge with a smaller bend counts as flat, because cloth that touches the edge also touches a face.
+// rad. An edge that bends less is no ridge: cloth that touches such an edge also touches one of its faces.
 constexpr double flat = 0.01;
 
 // CGAL's predicates divide by zero if a coordinate or its square is not finite.

@@ -1,4 +1,4 @@
-// Relates the shape of a strip that is clamped horizontally and hangs under its own weight to its stiffness.
+// The stiffness of a strip from its shape. The strip is clamped horizontally and hangs under its own weight.
 //
 //   clamp ___________ s                    m' = -ρ g (L - s) cos θ,   m = C κ^p,   κ = θ',
 //          θ(0) = 0  ‾‾‾-._                θ is positive downward;  θ(0) = 0,  m(L) = 0

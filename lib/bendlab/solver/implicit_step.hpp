@@ -95,8 +95,8 @@ class ImplicitStep : public TimeStep<Real> {
   ImplicitStep(const SimulationInput& input, Integrator integrator, double tolerance,
                std::vector<int> permutation);
 
-  /// Call this once, when the derived class is complete. The stiffness of contacts is κ = `per_weight` w + b
-  /// m. b follows from `mean`, the mean of b m over free vertices, N/m.
+  /// Call this once, when the derived class is complete. The stiffness of a contact is `per_weight` w + b m,
+  /// with the weight w and the mass m of its vertex. `mean` is the mean of b m over free vertices, N/m.
   void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double mean);
 
   /// The name of the pass that calls prepare() before the iterations of a substep; null: no such pass.

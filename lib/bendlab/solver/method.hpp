@@ -80,7 +80,8 @@ struct MethodKind {
   /// Why the method needs every stiffness as a compliance above 0. Empty: stiffness may also be given as k.
   std::string_view needs_compliance = {};
   /// Whether the method projects constraints one after another. Only then may effects act between
-  /// projections. The projections of a substep then limit how hard springs may push.
+  /// projections. build_scene() then shortens the excess length of prestressed
+  /// springs, if a substep has too few projections to balance their push (push_bound.hpp).
   bool projects = false;
   /// For a method that does not project: whether effects that act between projections may act after each
   /// iteration. An effect also has to allow this (EffectKind::acts_in_iterations).
@@ -97,7 +98,8 @@ struct MethodKind {
   bool keeps_moves_apart = false;
   /// Projections of each constraint in an iteration; null: 1.
   int (*sweeps_per_iteration)(const void* settings) = nullptr;
-  /// Whether coarse levels, for example, also resist stretch, equally in all directions; null: never.
+  /// Whether a part of the method, such as the coarse levels of pbd, also resists stretch, equally in all
+  /// directions; null: never.
   bool (*carries_stretch)(const void* settings) = nullptr;
   /// How far a softened membrane may move the cloth at rest, in sizes of the cloth; 0: no softening. Null: 0.
   double (*membrane_error)(const void* settings) = nullptr;

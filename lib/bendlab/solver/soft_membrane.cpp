@@ -14,8 +14,9 @@ namespace {
 // Under a load F, a sheet at rest with a membrane of stiffness Y moves by 3.5 F / Y sizes if the sheet hangs
 // by patches at two corners, and by a tenth of this if the sheet hangs by a side.
 constexpr double moved_per_load = 5;
-// The distance from pins within which the membrane is stiffer, in units of error times size. In a quarter of
-// a plane that hangs from a point with the force F, the strain at the distance r is 4 F / (π Y r). With this
+// The distance from pins within which the membrane is stiffer, in units of error times size. If a sheet
+// fills one quadrant of a plane, and the force F pulls at its corner, the strain at the distance r from the
+// corner is 4 F / (π Y r). With this
 // distance the strain is at most 0.025 everywhere.
 constexpr double graded_per_error = 10;
 

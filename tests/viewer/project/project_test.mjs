@@ -282,6 +282,7 @@ const tests = {
   async "tables sort by numbers and filter by words"() {
     await withPage("accuracy/", {}, async (page) => {
       const table = page.locator("table.sortable[data-rows=runs]");
+      await page.locator("details", { has: table }).locator("summary").first().click();
       await table.getByRole("button", { name: /time per frame/ }).click();
       const column = await table.evaluate((element) =>
         [...element.tBodies[0].rows].map((row) => row.cells[8].textContent.trim()).filter((text) => text !== "–"),

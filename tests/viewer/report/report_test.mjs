@@ -280,7 +280,7 @@ const tests = {
       assert.equal(await page.$eval("table.sortable td", (cell) => getComputedStyle(cell).display), "flex");
       assert.equal(
         await page.$eval("table.sortable td:nth-child(2)", (cell) => cell.dataset.label),
-        "status",
+        "verdict",
       );
       const expectation = await page.$$eval("section[aria-labelledby=expectations] tr:first-child td", (cells) =>
         cells.map((cell) => [cell.dataset.label, getComputedStyle(cell).display]),

@@ -221,7 +221,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     factor_->renumber(free_);
   }
 
-  // If bending is small, A does not need bending. Without bending the factor of A has half as many numbers,
+  // If bending is small, A does not need bending. The factor of A then has half as many numbers,
   // because hinges join vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
     constexpr double most = 0.01;

@@ -140,8 +140,9 @@ constinit const MethodKind Vbd::kind{
     .summary = "implicit steps by vertex block descent; for comparison",
     .source = "Chen et al. 2024; Chebyshev's acceleration: Wang 2015",
     .limits =
-        "needs energies: every stiffness is a compliance above 0; double precision and one thread only; a "
-        "correction reaches one ring of neighbours per iteration, so fine sheets converge slowly",
+        "every compliance must be above 0, because constraints need energies; runs in double precision on "
+        "one "
+        "thread; a correction reaches one ring of neighbours per iteration, so fine sheets converge slowly",
     .settings = table_of<Vbd>(fields),
     .passes = own_passes,
     .cost = 100,
