@@ -6,7 +6,6 @@ cloth with different models and solvers. The script goes through these runs from
 and keeps a run if its error is at least a fifth smaller than the smallest error of the faster runs.
 """
 
-import argparse
 import json
 import textwrap
 from collections import defaultdict
@@ -14,6 +13,7 @@ from itertools import groupby
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+SUMMARY, TABLE = ROOT / "results/accuracy/summary.json", ROOT / "experiments/advise/fronts.def"
 LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/trial.hpp
 BETTER = 0.8
 # Settings of solver methods → usual values. The table states only unusual values.
@@ -75,15 +75,7 @@ def table(settings):
     return text
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--summary", type=Path, default=ROOT / "results/accuracy/summary.json")
-    parser.add_argument("--out", type=Path, default=ROOT / "experiments/advise/fronts.def")
-    arguments = parser.parse_args()
-    best = best_settings(json.loads(arguments.summary.read_text()))
-    arguments.out.write_text(table(best))
-    print(f"{arguments.out}: {len(best)} settings")
-
-
 if __name__ == "__main__":
-    main()
+    found = best_settings(json.loads(SUMMARY.read_text()))
+    TABLE.write_text(table(found))
+    print(f"{TABLE}: {len(found)} settings")

@@ -8,7 +8,7 @@ import argparse
 from pathlib import Path
 
 from pages import accuracy, paper, performance, plain, stability, start, stiffness
-from pages.project import KEPT, described, draw, drawn, lay_out
+from pages.project import KEPT, draw, drawn, lay_out
 from tables import committed
 
 PAGES = {page.PAGE.name: page for page in (paper, stiffness, accuracy, stability, performance, plain)}
@@ -34,7 +34,7 @@ def main():
     module = PAGES[arguments.page]
     page = module.PAGE
     out = arguments.out or committed.home(page.name, arguments.committed)
-    results = arguments.results or getattr(module, "default_results", lambda out: Path("results"))(out)
+    results = arguments.results or (out / "bench.json" if module is performance else Path("results"))
     ids = [figure.id for figure in page.figures]
     if unknown := [name for name in [*arguments.only, *filter(None, [arguments.figure])] if name not in ids]:
         parser.error(f"the page {page.name} has no figure {unknown[0]}; its figures are: {', '.join(ids)}")
@@ -43,7 +43,7 @@ def main():
                      "folder of a page with --out or --committed")
     if arguments.figure:
         out.mkdir(parents=True, exist_ok=True)
-        section = drawn(*described(page.figures[ids.index(arguments.figure)]), results, out, page.command)
+        section = drawn(page.figures[ids.index(arguments.figure)], results, out, page.command)
         for name, _ in section.pictures:
             print(out / name, flush=True)
         return

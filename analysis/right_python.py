@@ -10,11 +10,6 @@ NEEDED = ("numpy", "h5py", "matplotlib")
 BUILD = Path(__file__).resolve().parent.parent / "build"
 
 
-def missing():
-    """The libraries that this Python lacks."""
-    return [name for name in NEEDED if importlib.util.find_spec(name) is None]
-
-
 def other_pythons():
     """Other Pythons that may have the libraries: the Python that the build found, and /usr/bin/python3."""
     caches = [cache.read_text(encoding="utf-8") for cache in sorted(BUILD.glob("*/CMakeCache.txt"))]
@@ -22,19 +17,14 @@ def other_pythons():
     return [python for python in dict.fromkeys([*named, "/usr/bin/python3"]) if Path(python).exists()]
 
 
-def has_all(python):
-    """Whether another Python has the libraries."""
-    return subprocess.run([python, "-c", f"import {', '.join(NEEDED)}"], capture_output=True,
-                          check=False).returncode == 0
-
-
 def hand_over():
     """Restarts the script in another Python if this Python lacks a library; exits if no Python has all."""
-    lacking = missing()
+    lacking = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if not lacking:
         return
     for python in other_pythons():
-        if has_all(python):
+        imports = [python, "-c", f"import {', '.join(NEEDED)}"]
+        if subprocess.run(imports, capture_output=True, check=False).returncode == 0:
             os.execv(python, [python, *sys.argv])
     sys.exit(f"{sys.argv[0]}: this Python, {sys.executable}, lacks {', '.join(lacking)}, and no other Python "
              "with all libraries was found. On Debian, install them with: apt-get install python3-numpy "

@@ -1,6 +1,7 @@
 """The charts of a report as SVG, PDF or PNG files for papers, with a file for each metric of a chart. A held
 axis of a chart is a swept setting that has one value in each panel.
 """
+import itertools
 import re
 import textwrap
 from pathlib import Path
@@ -27,17 +28,17 @@ def write(charts, folder, kind):
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for chart in charts:
-        if chart["kind"] == "bars":
-            files.append(_saved(_bars(chart), folder, _name(chart), kind))
-            continue
-        for number in chart["ys"]:
-            figure = _lines(chart, number)
+        for number in [None] if chart["kind"] == "bars" else chart["ys"]:
+            figure = _lines(chart, number) if number else _bars(chart)
             if figure:
-                files.append(_saved(figure, folder, _name(chart, number), kind))
+                files.append(Path(folder) / f"{_name(chart, number)}.{kind}")
+                figure.savefig(files[-1], bbox_inches="tight", pad_inches=0.05, facecolor="white", dpi=200,
+                               metadata=NO_DATE[kind])
+                plt.close(figure)
     return files
 
 
-def _name(chart, number=None):
+def _name(chart, number):
     """The name of a chart's file, for example `max-stretch-against-cells`."""
     sweep = re.match(r"s(\d+)-", chart["id"])
     parts = [f"sweep{sweep[1]}" if sweep and sweep[1] != "1" else "",
@@ -45,17 +46,8 @@ def _name(chart, number=None):
     return re.sub(r"[^a-zA-Z0-9]+", "-", " ".join(filter(None, parts))).strip("-")
 
 
-def _saved(figure, folder, name, kind):
-    file = Path(folder) / f"{name}.{kind}"
-    figure.savefig(file, bbox_inches="tight", pad_inches=0.05, facecolor="white", dpi=200,
-                   metadata=NO_DATE[kind])
-    plt.close(figure)
-    return file
-
-
 def _titled(about):
-    unit = about.get("unit", "")
-    return f"{about['label']} ({unit})" if unit and unit != "1" else about["label"]
+    return about["label"] + (f" ({about['unit']})" if about.get("unit", "1") not in ("", "1") else "")
 
 
 # --- curves ------------------------------------------------------------------------------------------------
@@ -65,10 +57,10 @@ def write_chart(chart, folder, name):
     metric. Returns the name of the file. Returns None and writes no file if no number is finite."""
     if chart["kind"] == "bars":
         return style.save(_bars(chart), folder, name, large=0)
-    usual = [axis["at"] for axis in chart["held"]]
     if chart["held"]:
-        values = chart["held"][0]["values"]
-        panels = [(chart["ys"][0], [at, *usual[1:]]) for at in range(len(values))][:MOST_PANELS]
+        first, *others = chart["held"]
+        panels = [(chart["ys"][0], [at, *(axis["at"] for axis in others)])
+                  for at in range(len(first["values"]))][:MOST_PANELS]
     else:
         panels = [(number, []) for number in chart["ys"][:MOST_NUMBERS]]
     panels = [panel for panel in panels if _curves(chart, *panel)]
@@ -81,16 +73,16 @@ def write_chart(chart, folder, name):
     tall = max(SIZE[1] * (0.5 if chart["held"] else 1), 0.6 + 0.24 * longest) if band else SIZE[1]
     figure, grid = plt.subplots(rows, columns, figsize=(SIZE[0] * columns, tall * rows), squeeze=False,
                                 layout="constrained", sharey=bool(chart["held"]) and not band)
-    for axes in grid.flat[len(panels):]:
-        axes.set_axis_off()
-    for axes, (number, held) in zip(grid.flat, panels):
-        _panel(axes, chart, number, held)
-        axes.set_title(_held_text(chart, held), fontsize=8.5)
-    handles = {label: handle for axes in grid.flat[:len(panels)]
-               for handle, label in zip(*axes.get_legend_handles_labels())}
+    handles = {}
+    for axes, panel in itertools.zip_longest(grid.flat, panels):
+        if not panel:
+            axes.set_axis_off()
+            continue
+        _panel(axes, chart, *panel)
+        axes.set_title(_held_text(chart, panel[1]), fontsize=8.5)
+        handles |= {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
     if len(handles) > 1 and chart.get("legend", True):
-        figure.legend(handles.values(), handles.keys(), loc="upper left", bbox_to_anchor=(1, 0.95),
-                      fontsize=8)
+        figure.legend(handles.values(), handles, loc="upper left", bbox_to_anchor=(1, 0.95), fontsize=8)
     title = textwrap.fill(chart["title"], int(13 * SIZE[0] * columns))
     figure.suptitle(title, x=0.01, ha="left", fontsize=11)
     return style.save(figure, folder, name, large=0)
@@ -127,8 +119,7 @@ def _panel(axes, chart, number, held):
                   for series, x, *rest in curves]
     for series, x, y, ranges in curves:
         _curve(axes, series, *((y, x) if band else (x, y)), ranges, band, chart.get("joined", True))
-    limits = [limit for limit in chart.get("limits", []) if limit["metric"] == number["name"]]
-    for limit in limits:
+    for limit in [limit for limit in chart.get("limits", []) if limit["metric"] == number["name"]]:
         (axes.axvline if band else axes.axhline)(limit["value"], color=style.GREY, linewidth=1,
                                                  linestyle=(0, (4, 3)))
         if not band:
@@ -143,21 +134,19 @@ def _panel(axes, chart, number, held):
 
 def _known(series, name):
     """(x, y, (low, high)) of the points of a series whose x and y are finite."""
-    number = lambda value: np.nan if value in (None, "∞", "-∞") else float(value)
-    x, y = (np.array([number(value) for value in values]) for values in (series["x"], series["y"][name]))
+    numbers = lambda values: np.array([np.nan if value in (None, "∞", "-∞") else value for value in values],
+                                      float)
+    x, y = numbers(series["x"]), numbers(series["y"][name])
     known = np.isfinite(x) & np.isfinite(y)
-    ranges = None
-    if "low" in series and name in series["low"]:
-        ends = np.array([[number(value) for value in series[end][name]] for end in ("low", "high")])
-        ranges = ends[:, known]
+    has_ranges = name in series.get("low", {})
+    ranges = [numbers(series[end][name])[known] for end in ("low", "high")] if has_ranges else None
     return x[known], y[known], ranges
 
 
 def _curve(axes, series, x, y, ranges, band, joined):
-    look = series["look"]
+    look, only_line = series["look"], series.get("line", False)
     colour = look["light"]
     dash = (0, tuple(map(float, look["dash"].split()))) if "dash" in look else "-"
-    only_line = series.get("line", False)
     axes.plot(x, y, color=colour, label=series["label"], linewidth=1 if only_line else 1.3,
               linestyle="none" if (band or not joined) and not only_line else dash,
               marker=look["mark"] if len(x) <= MOST_MARKS and not only_line else None, markersize=4.5,
@@ -228,13 +217,12 @@ def _bars(chart):
     rows = chart["rows"]
     figure, axes = plt.subplots(figsize=(SIZE[0], 0.6 + 0.26 * len(rows)))
     left = np.zeros(len(rows))
-    for i, part in enumerate(chart["parts"]):
-        if part.get("hidden"):
-            continue
-        width = np.array([row["values"][i] or 0 for row in rows], float)
-        axes.barh(range(len(rows)), width, left=left, height=0.7, color=part["look"]["light"],
-                  label=part["label"])
-        left += width
+    for part, *values in zip(chart["parts"], *(row["values"] for row in rows)):
+        if not part.get("hidden"):
+            width = np.array([value or 0 for value in values], float)
+            axes.barh(range(len(rows)), width, left=left, height=0.7, color=part["look"]["light"],
+                      label=part["label"])
+            left += width
     axes.set_yticks(range(len(rows)), labels=[row["label"] for row in rows])
     axes.invert_yaxis()
     axes.set_title(textwrap.fill(chart["title"], 60))

@@ -24,10 +24,10 @@ def camera_of(samples, **how):
     samples = [sample for sample in samples if sample]
     if not samples:
         return None
-    runs = [run for run, _ in samples]
-    rest, seeds = runs[0].rest_positions, runs[0].pin_seeds
-    pin = samples[0][0].positions(samples[0][1])[seeds[0]] if len(seeds) else rest.mean(axis=0)
-    return render.camera_for([run.positions(frame) for run, frame in samples], pin, runs[0].size, **how)
+    run, frame = samples[0]
+    seeds = run.pin_seeds
+    pin = run.positions(frame)[seeds[0]] if len(seeds) else run.rest_positions.mean(axis=0)
+    return render.camera_for([run.positions(frame) for run, frame in samples], pin, run.size, **how)
 
 
 def cameras_of(samples, **how):
@@ -37,13 +37,12 @@ def cameras_of(samples, **how):
     Each camera looks at the centre of its sheet. If a sheet is torn, the camera shows only the region that an
     unstretched sheet can reach.
     """
-    holds = [bool(sample) and sample[0].metrics["mean_strain"][sample[1]] < TORN for sample in samples]
-    cameras = [camera_of([sample], reach=1.25 if held else 1.02, **how)
-               for sample, held in zip(samples, holds)]
-    half = lambda camera: (camera.extent[3] - camera.extent[2]) / 2
-    most = max((half(camera) for camera, held in zip(cameras, holds) if held),
-               default=max((half(camera) for camera in cameras if camera), default=1))
-    return [camera and render.scaled(camera, most) for camera in cameras]
+    whole = [bool(sample) and sample[0].metrics["mean_strain"][sample[1]] < TORN for sample in samples]
+    cameras = [camera_of([sample], reach=1.25 if is_whole else 1.02, **how)
+               for sample, is_whole in zip(samples, whole)]
+    largest = [camera for camera, is_whole in zip(cameras, whole) if is_whole] or list(filter(None, cameras))
+    half = max(((camera.extent[3] - camera.extent[2]) / 2 for camera in largest), default=1)
+    return [camera and render.scaled(camera, half) for camera in cameras]
 
 
 @dataclass
@@ -68,7 +67,7 @@ def sheet(rows, out, name, inches=2.45, width=360, **bar):
                                 squeeze=False, layout="compressed")
     for places, (label, panels) in zip(axes, rows.items()):
         for place, panel in zip(places, panels):
-            draw_cloth(place, panel.sample, panel.camera, width, panel.text, panel.whole, panel.corner)
+            draw_cloth(place, panel, width)
             place.set_title(panel.title)
         places[0].text(-0.03, 0.5, label, transform=places[0].transAxes, rotation=90, ha="right", va="center",
                        fontsize=9.5)
@@ -76,27 +75,31 @@ def sheet(rows, out, name, inches=2.45, width=360, **bar):
     return style.save(figure, out, name)
 
 
-def draw_cloth(axes, sample, camera, width=420, text="", whole=True, text_corner=LEFT):
-    """Draws a cloth, its pins and the time in a panel. `sample`: (run, frame), or None without a run.
-    `whole`: if vertices lie outside the picture, the panel states their share.
-    """
+def draw_cloth(axes, panel, width):
+    """Draws the cloth of a panel, its pins and the time. If the panel shall show the whole cloth, the picture
+    states the share of vertices outside it."""
     axes.set_axis_off()
-    if sample is None:
+    if panel.sample is None:
         axes.text(0.5, 0.5, "no run", ha="center", va="center", color=GREY, transform=axes.transAxes)
         return
-    run, frame = sample
-    positions, triangles = run.positions(frame), run.triangles
-    excess = run.cell("max_stretch", frame) - 1
-    image = render.render(positions, triangles, stretch_colours(excess), camera, width)
-    height = image.shape[0]
-    axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
-    _mark_pins(axes, run, positions, camera, (height, width))
-    corner = free_corner(camera.project(positions, (height, width))[0], (height, width))
+    (run, frame), camera = panel.sample, panel.camera
+    positions, colours = run.positions(frame), stretch_colours(run.cell("max_stretch", frame) - 1)
+    image = render.render(positions, run.triangles, colours, camera, width)
+    shape = image.shape[:2]
+    axes.imshow(image, interpolation="lanczos", extent=(0, width, shape[0], 0))
+    places = camera.project(positions, shape)[0]
+    pins = (np.flatnonzero(run.pinned), 5, 0.25), (np.unique(run.pin_seeds), 26, 0.7)
+    for vertices, size, edge in pins:
+        axes.scatter(*places[vertices].T, s=size, c="#111418", edgecolors="white", linewidths=edge, zorder=3,
+                     clip_on=True)
+    axes.set_xlim(0, width)
+    axes.set_ylim(shape[0], 0)
+    corner = free_corner(places, shape)
     time = stamp(axes, run, frame, corner)
-    if text:
-        caption(axes, text, text_corner)
-    outside = share_outside(positions, camera, (height, width))
-    if whole and outside > 0.005:
+    if panel.text:
+        caption(axes, panel.text, panel.corner)
+    outside = share_outside(positions, camera, shape)
+    if panel.whole and outside > 0.005:
         share = f"{100 * outside:.0f}" if outside < 0.995 else "> 99"
         below = -15 - 11 * time.get_text().count("\n")  # points
         axes.annotate(f"{share} % outside", corner["xy"], xycoords="axes fraction", xytext=(0, below),
@@ -112,10 +115,8 @@ def stamp(axes, run, frame, corner=LEFT):
 
 def free_corner(places, shape):
     """The upper corner of a picture with fewer points in it. `places` (n, 2): the points, in pixels."""
-    height, width = shape
-    x, y = places.T
-    high = (y > 0) & (y < 0.13 * height)
-    left, right = (x > 0) & (x < 0.45 * width), (x > 0.55 * width) & (x < width)
+    x, y = places.T / [[shape[1]], [shape[0]]]
+    high, left, right = (y > 0) & (y < 0.13), (x > 0) & (x < 0.45), (x > 0.55) & (x < 1)
     return RIGHT if (high & left).sum() > (high & right).sum() else LEFT
 
 
@@ -143,16 +144,6 @@ def share_outside(positions, camera, shape):
     return 1 - inside.mean()
 
 
-def _mark_pins(axes, run, positions, camera, shape):
-    seeds = set(run.pin_seeds.tolist())
-    for vertices, size in ((np.flatnonzero(run.pinned), 5), (np.array(sorted(seeds), int), 26)):
-        xy, _ = camera.project(positions[vertices], shape)
-        axes.scatter(xy[:, 0], xy[:, 1], s=size, c="#111418", edgecolors="white", linewidths=0.7 if size > 9
-                     else 0.25, zorder=3, clip_on=True)
-    axes.set_xlim(0, shape[1])
-    axes.set_ylim(shape[0], 0)
-
-
 def stretch_bar(figure, axes, **how):
     """Draws the colour bar of stretch beside the given axes."""
     bar = figure.colorbar(plt.cm.ScalarMappable(STRETCH_NORM, STRETCH), ax=axes, extend="both", **how)
@@ -161,4 +152,3 @@ def stretch_bar(figure, axes, **how):
     bar.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
     bar.ax.grid(False)
     bar.outline.set_visible(False)
-    return bar

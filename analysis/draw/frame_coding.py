@@ -12,8 +12,10 @@ own weights. Remainders are sorted into classes by the size of remainders nearby
 remainders of similar size, and equal sizes deflate better. `viewer/src/player/decode.js` decodes the frames.
 Shapes: F frames, V vertices, T triangles.
 """
+import itertools
 import zlib
-from dataclasses import dataclass
+from collections import namedtuple
+from functools import lru_cache
 
 import numpy as np
 
@@ -25,29 +27,24 @@ LEVELS = 65535  # steps along the largest side of a run's bounding box: 16 bits
 # Weights of v and p1 … p3 for slow, uniform and swinging motion. encode() also tries weights that it fits.
 FIXED = ((0, (1, 0, 0), (0, 0, 0)), (0, (.5, .5, 0), (0, 0, 0)), (1, (.5, .5, 0), (-.5, -.5, 0)))
 SAMPLE = 60_000  # vertices · frames from which a predictor is chosen
+# All frames after the first. `data`: the low bytes of all classes, then the high bytes of all classes;
+# deflated. `weights`: (GROUPS, 1 + 2 · PARENTS) in units of 1 / ONE; [] for a group without vertices.
+# `counts`: (CLASSES) numbers in each class.
+Coded = namedtuple("Coded", "data weights counts")
 
 
-@dataclass
-class Coded:
-    """The bytes of all frames after the first, and the numbers that the decoder needs."""
-
-    data: bytes  # the low bytes of all classes, then the high bytes of all classes; deflated
-    weights: list  # (GROUPS, 1 + 2 · PARENTS) in units of 1 / ONE; [] for a group without vertices
-    counts: list  # (CLASSES) numbers in each class
-
-
+@lru_cache(maxsize=2)  # runs of a sweep share a mesh
 def lineage(triangles, vertices):
-    """(V, PARENTS) the parents of each vertex, and (V) its group.
+    """(V, PARENTS) the parents of each vertex, and (V) its group. `triangles`: the bytes of an array of int.
 
     p1, p2, p3 are the neighbours with the largest numbers that are smaller than the number of the vertex. p4
     lies across the edge p1 p2; p5 and p6 lie behind p1 and p2. If one of these vertices does not exist,
     another parent is used twice. Vertex 0 is its own parent.
     """
     near = [set() for _ in range(vertices)]
-    for a, b, c in triangles.tolist():
-        near[a].update((b, c))
-        near[b].update((a, c))
-        near[c].update((a, b))
+    for corners in np.frombuffer(triangles, int).reshape(-1, 3).tolist():
+        for a, b in itertools.permutations(corners, 2):
+            near[a].add(b)
     parents, groups = np.zeros((vertices, PARENTS), int), np.zeros(vertices, int)
     for v in range(1, vertices):
         earlier = sorted((u for u in near[v] if u < v), reverse=True)

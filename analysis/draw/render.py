@@ -4,6 +4,7 @@ This is a z-buffer in numpy. Triangles are cut into pixel rows, and rows into pi
 the owner of a pixel. Light, shadow and colour are then computed once per visible pixel. There are no gaps
 between neighbouring triangles.
 """
+import itertools
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -62,16 +63,13 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     the region below the pin, up to `zoom` sizes to each side. `aspect` is width over height of the picture;
     None takes the aspect of the cloth, limited to 0.5 to 2.
     """
-    axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
-    points = points[np.isfinite(points).all(axis=1)]
-    near = points[np.linalg.norm(points - pin, axis=1) <= reach * size]
+    near = points[np.linalg.norm(points - pin, axis=1) <= reach * size]  # without points that are not finite
     near = np.concatenate([near, [pin]])
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
-        near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
-                                             for sz in (0.2 - 2 / aspect, 0.2)])
-    return _framing(near, axes, size, floor, aspect, least=0.02)
+        near = pin + zoom * size * np.array([*itertools.product((-1, 1), (-1, 1), (0.2 - 2 / aspect, 0.2))])
+    return _framing(near, azimuth, elevation, size, floor, aspect, least=0.02)
 
 
 def scaled(camera, half):
@@ -81,26 +79,22 @@ def scaled(camera, half):
     return replace(camera, extent=(middle - across, middle + across, level - half, level + half))
 
 
-def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):
+def camera_around(points, least):
     """A camera whose picture shows all finite points of one cloth, and is at least `least` m wide."""
     points = points[np.isfinite(points).all(axis=1)]
     size = max(np.linalg.norm(np.ptp(points, axis=0)), least)
-    return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect,
-                    least=0.2)
+    return _framing(points, -62.0, 14.0, size, points[:, 2].min() - 0.06 * size, aspect=1.0, least=0.2)
 
 
-def _view_axes(azimuth, elevation):
-    """Rows: right, up, backward."""
-    a, e = np.radians(azimuth), np.radians(elevation)
-    backward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+def _framing(points, azimuth, elevation, size, floor, aspect, least):
+    """The camera whose picture shows these points with a small margin. `least`: smallest half width in
+    sizes."""
+    azimuth, elevation = np.radians(azimuth), np.radians(elevation)
+    backward = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth),
+                         np.sin(elevation)])
     right = np.cross([0.0, 0.0, 1.0], backward)
     right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(backward, right), backward])
-
-
-def _framing(points, axes, size, floor, aspect, least=0.0):
-    """The camera along `axes` whose picture shows these points with a small margin. `least`: smallest half
-    width in sizes."""
+    axes = np.stack([right, np.cross(backward, right), backward])
     low, high = points.min(axis=0), points.max(axis=0)
     eye = (low + high) / 2 + 3.2 * size * axes[2]
     view = (points - eye) @ axes.T
@@ -116,59 +110,50 @@ def _framing(points, axes, size, floor, aspect, least=0.0):
 
 
 def rasterise(xy, nearness, triangles, shape):
-    """For each pixel, (h, w): the index of the nearest triangle, or -1; and the nearness of this triangle, or
-    0.
+    """For each pixel, (h, w): the index of the nearest triangle, or -1; and its nearness, or 0.
 
     `xy` (V, 2) in pixels. `nearness` (V) is linear across the screen; larger is nearer. Triangles with a
     vertex of nearness ≤ 0 are left out.
     """
     height, width = shape
-    owner = np.full(height * width, -1, np.int32)
-    best = np.zeros(height * width)
-    corners = xy[triangles]
-    seen = np.isfinite(corners).all(axis=(1, 2)) & (nearness[triangles] > 0).all(axis=1)
-    x, y = corners[..., 0], corners[..., 1]
-    seen &= (x.max(1) > 0) & (x.min(1) < width) & (y.max(1) > 0) & (y.min(1) < height)
-    ids = np.flatnonzero(seen)
-    x, y, z = x[ids], y[ids], nearness[triangles[ids]]
+    owner, best = np.full(height * width, -1, np.int32), np.zeros(height * width)
+    corners = np.column_stack([xy, nearness])[triangles]
+    low, high = corners.min(axis=1), corners.max(axis=1)
+    seen = np.isfinite(corners[..., :2]).all(axis=(1, 2)) & (low[:, 2] > 0)
+    seen &= ((high[:, :2] > 0) & (low[:, :2] < (width, height))).all(axis=1)
+    ids, corners = np.flatnonzero(seen), corners[seen]
+    x, y, z = corners.transpose(2, 0, 1)
 
     # On a triangle the nearness is linear: z = z0 + gx (x - x0) + gy (y - y0).
-    ax, ay, az = x[:, 1] - x[:, 0], y[:, 1] - y[:, 0], z[:, 1] - z[:, 0]
-    bx, by, bz = x[:, 2] - x[:, 0], y[:, 2] - y[:, 0], z[:, 2] - z[:, 0]
-    area = ax * by - bx * ay
-    area = np.where(np.abs(area) < 1e-12, np.inf, area)
-    gx, gy = (az * by - bz * ay) / area, (ax * bz - bx * az) / area
+    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    gx, gy = -normal[:, :2].T / np.where(np.abs(normal[:, 2]) < 1e-12, np.inf, normal[:, 2])
 
-    first = np.clip(np.ceil(y.min(1) - 0.5), 0, height).astype(int)
-    last = np.clip(np.ceil(y.max(1) - 0.5), 0, height).astype(int)
-    triangle, row = _expand(first, last - first)
+    first_pixel = lambda place, count: np.clip(np.ceil(place - 0.5), 0, count).astype(int)  # by its centre
+    first = first_pixel(y.min(axis=1), height)
+    triangle, row = _expand(first, first_pixel(y.max(axis=1), height) - first)
     left, right = _row_interval(x[triangle], y[triangle], row + 0.5)
-    begin = np.clip(np.ceil(left - 0.5), 0, width).astype(int)
-    length = np.maximum(np.clip(np.ceil(right - 0.5), 0, width).astype(int) - begin, 0)
+    begin = first_pixel(left, width)
+    length = np.maximum(first_pixel(right, width) - begin, 0)
 
-    ends = np.cumsum(length)
-    start = 0
-    while start < len(length):
-        done = ends[start - 1] if start else 0
-        stop = max(int(np.searchsorted(ends, done + CHUNK, side="right")), start + 1)
-        span, column = _expand(begin[start:stop], length[start:stop])
-        t, r = triangle[start:stop][span], row[start:stop][span]
+    chunk = np.cumsum(length) // CHUNK
+    for part in np.split(np.arange(len(length)), np.flatnonzero(np.diff(chunk)) + 1):
+        span, column = _expand(begin[part], length[part])
+        t, r = triangle[part][span], row[part][span]
         depth = z[t, 0] + gx[t] * (column + 0.5 - x[t, 0]) + gy[t] * (r + 0.5 - y[t, 0])
         _keep_nearest(best, owner, r * width + column, depth, ids[t])
-        start = stop
     return owner.reshape(shape), best.reshape(shape)
 
 
 def _expand(first, count):
     """For every i, the numbers first[i] … first[i] + count[i] - 1. Returns (all i, all numbers)."""
-    count = np.maximum(count, 0)
     index = np.repeat(np.arange(len(count)), count)
     offset = np.arange(len(index)) - np.repeat(np.cumsum(count) - count, count)
     return index, first[index] + offset
 
 
 def _row_interval(x, y, centre):
-    """The x (n) at which horizontal lines at heights `centre` (n) enter and leave triangles x, y (n, 3)."""
+    """The x (n) at which horizontal lines at heights `centre` (n) enter and leave triangles x, y (n, 3); ∞
+    and -∞ for a line that misses its triangle."""
     left, right = np.full(len(centre), np.inf), np.full(len(centre), -np.inf)
     for a, b in ((0, 1), (1, 2), (2, 0)):
         rise = y[:, b] - y[:, a]
@@ -177,8 +162,7 @@ def _row_interval(x, y, centre):
         at = x[:, a] + t * (x[:, b] - x[:, a])
         left = np.where(crosses, np.minimum(left, at), left)
         right = np.where(crosses, np.maximum(right, at), right)
-    empty = left > right
-    return np.where(empty, 0, left), np.where(empty, 0, right)
+    return left, right
 
 
 def _keep_nearest(best, owner, pixel, depth, ids):
@@ -190,13 +174,9 @@ def _keep_nearest(best, owner, pixel, depth, ids):
         owner[pixel] = ids
 
 
-def vertex_normals(positions, triangles):
-    """(V, 3) area-weighted unit normals."""
-    a, b, c = (positions[triangles[:, i]] for i in range(3))
-    face = np.cross(b - a, c - a)
-    normals = np.stack([np.bincount(triangles.ravel(), np.repeat(face[:, i], 3), len(positions))
-                        for i in range(3)], axis=1)
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+def _unit(vectors):
+    """Vectors (n, 3) with length 1; vectors of length 0 stay."""
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), 1e-300)
 
 
 class _ShadowMap:
@@ -219,11 +199,9 @@ class _ShadowMap:
         """(n) share of the light that reaches each point: mean of taps² samples within `radius` pixels."""
         xy, nearness = self._project(points)
         total = np.zeros(len(points))
-        for dx in np.linspace(-radius, radius, taps):
-            for dy in np.linspace(-radius, radius, taps):
-                x = np.clip((xy[:, 0] + dx).astype(int), 0, self.pixels - 1)
-                y = np.clip((xy[:, 1] + dy).astype(int), 0, self.pixels - 1)
-                total += self.map[y, x] <= nearness + bias
+        for shift in itertools.product(np.linspace(-radius, radius, taps), repeat=2):
+            x, y = np.clip((xy + shift).astype(int), 0, self.pixels - 1).T
+            total += self.map[y, x] <= nearness + bias
         return total / taps**2
 
 
@@ -248,8 +226,8 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
     image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
     seen = owner >= 0
     if seen.any():
-        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines,
-                             cloth) * (1 - 0.75 * _occlusion(nearest, camera)[seen])[:, None]
+        light = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth)
+        image[seen] = light * (1 - 0.75 * _occlusion(nearest, camera)[seen])[:, None]
     image = np.clip(image, 0, 1) ** (1 / 2.2)
     return image.reshape(shape[0] // SUPERSAMPLE, SUPERSAMPLE, width, SUPERSAMPLE, 3).mean(axis=(1, 3))
 
@@ -263,16 +241,14 @@ def _occlusion(nearest, camera):
     """
     depth = np.full(nearest.shape, 1e9 * camera.size)
     depth[nearest > 0] = 1 / nearest[nearest > 0]
-    total, pairs = np.zeros(depth.shape), 0
-    for radius in (0.008, 0.018, 0.033):
+    total = np.zeros(depth.shape)
+    for radius, angle in itertools.product((0.008, 0.018, 0.033), (0, np.pi / 4, np.pi / 2, 3 * np.pi / 4)):
         reach = max(1, round(radius * depth.shape[0]))
-        for angle in np.arange(0, np.pi, np.pi / 4) + radius:
-            shift = np.array([round(reach * np.sin(angle)), round(reach * np.cos(angle))])
-            first, second = (depth - np.roll(depth, way * shift, axis=(0, 1)) for way in (1, -1))
-            near = (np.abs(first) < 0.15 * camera.size) & (np.abs(second) < 0.15 * camera.size)
-            total += np.where(near, np.clip((first + second) / (0.01 * camera.size), 0, 1), 0)
-            pairs += 1
-    return total / pairs
+        shift = np.array([round(reach * part(angle + radius)) for part in (np.sin, np.cos)])
+        first, second = (depth - np.roll(depth, way * shift, axis=(0, 1)) for way in (1, -1))
+        near = (np.abs(first) < 0.15 * camera.size) & (np.abs(second) < 0.15 * camera.size)
+        total += np.where(near, np.clip((first + second) / (0.01 * camera.size), 0, 1), 0)
+    return total / 12
 
 
 def _background(camera, shape, shadows):
@@ -299,24 +275,22 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     weight = flat * nearness[corners]
     weight /= weight.sum(axis=1, keepdims=True)
     point = np.einsum("ni,nic->nc", weight, positions[corners])
-    normal = np.einsum("ni,nic->nc", weight, vertex_normals(positions, triangles)[corners])
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
-    towards_eye = camera.eye - point
-    towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
-    a, b, c = (positions[corners[:, i]] for i in range(3))
+    a, b, c = (positions[triangles[:, i]] for i in range(3))
+    faces = np.cross(b - a, c - a)  # normals of triangles, as long as twice their areas
+    normals = _unit(np.stack([np.bincount(triangles.ravel(), np.repeat(part, 3), len(positions))
+                              for part in faces.T], axis=1))  # of vertices
+    normal = _unit(np.einsum("ni,nic->nc", weight, normals[corners]))
+    towards_eye = _unit(camera.eye - point)
     # The flat normal decides which side is visible; the smooth normal may point away near an outline.
-    face = np.cross(b - a, c - a)
-    back = (face * towards_eye).sum(1) < 0
+    back = (faces[t] * towards_eye).sum(1) < 0
     normal *= np.where(back, -1.0, 1.0)[:, None]
 
-    offset = point + 0.006 * camera.size * normal
-    shadow = shadows.light(offset, bias=0.004, radius=1.5, taps=4)
+    shadow = shadows.light(point + 0.006 * camera.size * normal, bias=0.004, radius=1.5, taps=4)
     facing = normal @ LIGHT
     direct = np.clip((facing + 0.12) / 1.12, 0, 1) * (0.25 + 0.75 * shadow)
     through = 0.22 * np.clip(-facing, 0, 1) * (t < cloth)  # thin cloth lets some light through
     ambient = 0.34 + 0.10 * normal[:, 2] + 0.12 * (normal * towards_eye).sum(1)
-    halfway = LIGHT + towards_eye
-    halfway /= np.linalg.norm(halfway, axis=1, keepdims=True)
+    halfway = _unit(LIGHT + towards_eye)
     gloss = 0.10 * shadow * np.clip((normal * halfway).sum(1), 0, 1) ** 24
 
     base = np.asarray(colours)[t] ** 2.2
@@ -328,12 +302,12 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
 
 def _barycentric(corners, point):
     """(n, 3) barycentric coordinates of points (n, 2) in triangles (n, 3, 2) on the screen."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    a, b, c = corners.transpose(1, 0, 2)
     cross = lambda u, v: u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
     area = cross(b - a, c - a)
     area = np.where(np.abs(area) < 1e-12, 1e-12, area)
-    wb, wc = cross(point - a, c - a) / area, cross(b - a, point - a) / area
-    weight = np.clip(np.stack([1 - wb - wc, wb, wc], axis=1), 0, 1)
+    of_b, of_c = cross(point - a, c - a) / area, cross(b - a, point - a) / area
+    weight = np.clip(np.stack([1 - of_b - of_c, of_b, of_c], axis=1), 0, 1)
     return weight / np.maximum(weight.sum(axis=1, keepdims=True), 1e-12)
 
 

@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.colors import LinearSegmentedColormap, LogNorm
-from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+from matplotlib.ticker import LogLocator, NullLocator
 from PIL import Image
 
 from tables.looks import INK
@@ -33,14 +33,13 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 
 def plain_log(axes, which="y"):
     """Makes an axis logarithmic, with ticks like 0.2, 0.5, 1 instead of powers. Call this after drawing."""
-    axis = axes.yaxis if which == "y" else axes.xaxis
-    (axes.set_yscale if which == "y" else axes.set_xscale)("log")
-    low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
+    axes.set(**{f"{which}scale": "log"})
+    axis = getattr(axes, f"{which}axis")
+    low, high = axis.get_view_interval()
     decades = np.log10(high / low)
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,),
-                                      numticks=20))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1000
-                                           else f"{value:g}"))
+    subs = (1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,)
+    axis.set_major_locator(LogLocator(subs=subs, numticks=20))
+    axis.set_major_formatter(lambda value, _: f"{value:,.0f}" if value >= 1000 else f"{value:g}")
     axis.set_minor_locator(NullLocator())
 
 
@@ -87,9 +86,6 @@ def save(figure, folder, name, palette=True, dpi=None, tight=True, large=LARGE):
 def _palette(image):
     """256 colours that suit an image and the colour map of stretch, from every third pixel."""
     image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
-    strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
-    strip = strip.resize((image.width, image.height // 8))
-    both = Image.new("RGB", (image.width, image.height + strip.height))
-    both.paste(image, (0, 0))
-    both.paste(strip, (0, image.height))
-    return both.quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)
+    strip = (255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8)
+    both = np.concatenate([np.asarray(image), strip.repeat(image.height // 8, axis=0)])
+    return Image.fromarray(both).quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)

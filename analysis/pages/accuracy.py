@@ -67,11 +67,10 @@ def write_data(sections, results, out):
 
 def content(sections, out):
     runs = summary(out)
+    errors = Table.of("errors", "", ["error", ("meaning", "what it is")], [
+        {"error": error, "meaning": meaning} for error, meaning in measures.MEANING.items()])
     parts = [Part("runs", "Every run", folded(f"{len(runs)} runs", runs_html(runs)), "Runs"),
-             Part("rules", "What an error is",
-                  table_html(Table.of("errors", "", ["error", ("meaning", "what it is")], [
-                 {"error": error, "meaning": meaning} for error, meaning in measures.MEANING.items()])),
-                  "Errors"),
+             Part("rules", "What an error is", table_html(errors), "Errors"),
              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
     return Content(answer(runs), parts=parts, data=accuracy_runs.data(runs),
                    verdicts=lambda section: [checks_html(section.checks)])
@@ -80,14 +79,14 @@ def content(sections, out):
 def answer(runs):
     """The page's answer: the fastest run with an error of at most NEAR in each of the first two scenes (as on
     the start page), and the error and time of the paper's setting."""
-    chosen, best = accuracy_runs.candidates(runs), []
+    chosen, best, text = accuracy_runs.candidates(runs), [], ""
     for scene in list(accuracy_runs.SCENES)[:2]:
         if run := accuracy_runs.cheapest(chosen, scene, NEAR):
             best.append(f"for a cloth that {scene.split(':')[0]}, <a href='#run-{escape(run['id'])}'>"
                         f"{escape(run['model'])}</a> on {run['cells']} cells in "
                         f"<b>{number_text(run['ms_per_frame'], 2)} ms</b> per frame")
-    text = (f"The fastest runs with an error of at most {100 * NEAR:g} %: "
-            f"{', and '.join(best)}.") if best else ""
+    if best:
+        text = f"The fastest runs with an error of at most {100 * NEAR:g} %: {', and '.join(best)}."
     paper = next((run for run in runs if run["experiment"] == "accuracy_paper_64"
                   and run["model"] == "adaptive" and run.get("error_physical_rms")), None)
     if paper:
@@ -101,8 +100,8 @@ def runs_html(runs):
     """A table of all runs; a click on a row opens the run."""
     percent = lambda run, name: 100 * run[name] if isinstance(run.get(name), (int, float)) else None
     rows = [{"run": run["id"], "scene": accuracy_runs.scene(run), "model": run["model"],
-             "cells": run["cells"],
-             "work": accuracy_runs.work(run), "precision": run["settings"].get("precision", ""),
+             "cells": run["cells"], "work": accuracy_runs.work(run),
+             "precision": run["settings"].get("precision", ""),
              "physical": percent(run, "error_physical_rms"), "solver": percent(run, "error_solver_rms"),
              "ms": run.get("ms_per_frame"), "status": run["status"]} for run in runs]
     table = Table.of("runs", "Every run", [

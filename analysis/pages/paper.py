@@ -2,9 +2,7 @@
 import csv
 import json
 
-import numpy as np
-
-from bendlab.results.load import at, group, statuses, summary_spread
+from bendlab.results.load import group, statuses, summary_spread
 from draw.frames import place_html
 from figures.paper import (ablations, fig_1, fig_5, fig_6, fig_7, large_forces, maps, models, promise,
                            promise_strip, scenes, structure, where)
@@ -25,10 +23,15 @@ RULES = ("<p>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dyn
          "of 1 m × 1 m in N × N cells is pinned at its upper right corner. The sheet starts horizontal and "
          "falls for 4 s. Stretch σ₁ is the largest principal stretch of a triangle: σ₁ − 1 is 0 for an "
          "unstretched triangle and 1 for a triangle that is twice as long.</p>")
+DATA = ("<p><a href='summary.json'>summary.json</a>: the claims. <a href='maps.json'>maps.json</a>: every "
+        "box of the maps. <a href='reference.csv'>reference.csv</a>: medians and ranges of every group of "
+        "runs.</p>")
+MOTION = (f"The rows of the picture above on {promise.MOVING} cells: crossover springs, the paper's adaptive "
+          "springs with the ring around the pin, and the recommended settings.")
 
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
-REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
-             "mean_strain": 0, "drop": 0}  # summary entry → offset subtracted from it
+# Entry of the summary → offset subtracted from it
+REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1, "mean_strain": 0, "drop": 0}
 
 FIGURES = [
     Figure(maps, "Where each claim holds", "Maps", maps.TEXT),
@@ -73,35 +76,35 @@ FIGURES = [
 
 
 def write_data(sections, results, out):
-    write_objects(out / "summary.json", [claim.as_json() for section in sections for claim in section.claims])
-    write_objects(out / "maps.json", [claim_map.as_json() for section in sections
-                                      for claim_map in section.maps])
+    for file, kind in (("summary.json", "claims"), ("maps.json", "maps")):
+        entries = [entry for section in sections for entry in getattr(section, kind)]
+        write_objects(out / file, [entry.as_json() for entry in entries])
     write_reference(results, out / "reference.csv")
 
 
 def content(sections, out):
-    claims = [claim for section in sections for claim in section.claims]
+    claims = [claim for section in sections for claim in section.claims if not claim.setting]
     all_maps = [claim_map for section in sections for claim_map in section.maps]
-    names = {id(claim_map): f"map-{i + 1}" for i, claim_map in enumerate(all_maps)}
+    names = {id(claim_map): f"map-{i}" for i, claim_map in enumerate(all_maps, 1)}
     cells = [cell for claim_map in all_maps for cell in map_cells(claim_map, names[id(claim_map)])]
     settings = with_configs(cells)
     played = [{"id": promise.address(label), "label": label, "name": label, "status": "complete",
-               "title": label}
-              for label in promise.ROWS]
-    parts = [Part("rules", "How it is measured", RULES, "Rules"),
-             Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: the claims. <a "
-                                     "href='maps.json'>maps.json</a>: every box of the maps. <a "
-                                     "href='reference.csv'>reference.csv</a>: medians and ranges of every "
-                                     "group of runs.</p>", "Data")]
+               "title": label} for label in promise.ROWS]
+    rows = [(named(claim_map.figure), f"{escape(claim_map.english)}<br><small>{escape(claim_map.sentence)}"
+             "</small>", map_mark(claim_map)) for claim_map in all_maps]
+    rows += [(named(claim.figure), escape(claim.claim), mark(claim)) for claim in claims]
+    first = [picture_html(*picture) for section in sections for picture in section.pictures
+             if picture[0] == FIRST_PICTURE]
+    parts = [Part("rules", "How it is measured", RULES, "Rules"), Part("data", "As data", DATA, "Data")]
+    motion = Part("motion", "The promise, in motion",
+                  f"<p>{escape(MOTION)}</p>{place_html(map(promise.address, promise.ROWS))}", "Motion")
     verdicts = lambda section: [*(map_html(claim_map, names[id(claim_map)]) for claim_map in section.maps),
                                 *map(claim_html, section.claims)]
-    return Content(answer(all_maps, claims), overview(all_maps, claims) + first_picture(sections), parts,
-                   [motion()],
-                   {"runs": cells + played, "settings": settings}, verdicts=verdicts, heading=heading)
-
-
-def heading(section):
-    return f"{named(section.figure)}: {section.title}" if section.figure and section.claims else section.title
+    heading = lambda section: (f"{named(section.figure)}: {section.title}"
+                               if section.figure and section.claims else section.title)
+    return Content(answer([judged.holds for judged in all_maps + claims]), cards_html(rows) + "".join(first),
+                   parts, [motion], {"runs": cells + played, "settings": settings}, verdicts=verdicts,
+                   heading=heading)
 
 
 def with_configs(cells):
@@ -117,36 +120,17 @@ def with_configs(cells):
         base = bases.setdefault(config, own)
         cell |= {"base": list(bases).index(config), "changes": differing(base, own)}
         if len(lines) > 1 or len(points) > 1:
-            first = "the config below is the config of the first run"
-            cell["told"] = f"{cell['told']}; {first}" if cell["told"] else first
+            notes = [cell["told"], "the config below is the config of the first run"]
+            cell["told"] = "; ".join(filter(None, notes))
     return list(bases.values())
 
 
-def motion():
-    text = (f"The rows of the picture above on {promise.MOVING} cells: crossover springs, the paper's "
-            "adaptive springs with the ring around the pin, and the recommended settings.")
-    return Part("motion", "The promise, in motion",
-                f"<p>{escape(text)}</p>{place_html(map(promise.address, promise.ROWS))}", "Motion")
-
-
-def first_picture(sections):
-    """The picture on top as HTML; "" if its runs are missing."""
-    pictures = [picture for section in sections for picture in section.pictures
-                if picture[0] == FIRST_PICTURE]
-    return picture_html(*pictures[0]) if pictures else ""
-
-
-def judged(maps_, claims):
-    """The verdicts of all maps, and of the claims that are judged over several settings."""
-    return [claim_map.holds for claim_map in maps_] + [claim.holds for claim in claims if not claim.setting]
-
-
-def answer(maps, claims):
-    verdicts = judged(maps, claims)
-    everywhere, nowhere = sum(holds is True for holds in verdicts), sum(holds is False for holds in verdicts)
-    unknown = sum(holds is None for holds in verdicts)
+def answer(verdicts):
+    """The answer, from the verdicts of all maps and of the claims that are judged over all settings."""
     if not verdicts:
         return "There are no runs yet."
+    everywhere, nowhere, unknown = (sum(holds is kind for holds in verdicts)
+                                    for kind in (True, False, None))
     return (f"Of {len(verdicts)} claims, the paper's and ours, <b>{everywhere}</b> hold at every setting "
             f"that was measured, <b>{len(verdicts) - everywhere - nowhere - unknown}</b> at some, "
             f"<b>{nowhere}</b> at none"
@@ -156,16 +140,6 @@ def answer(maps, claims):
 def named(figure):
     """The name of a figure: "Fig. 5a" for "5a", a number in the paper; other texts with a capital letter."""
     return escape(f"Fig. {figure}" if figure[:1].isdigit() else figure.capitalize())
-
-
-def overview(maps, claims):
-    """One row per claim: first claims with a map, then the other claims that are judged over all settings."""
-    rows = [(named(claim_map.figure),
-             f"{escape(claim_map.english)}<br><small>{escape(claim_map.sentence)}</small>",
-             map_mark(claim_map)) for claim_map in maps]
-    rows += [(named(claim.figure), escape(claim.claim), mark(claim)) for claim in claims
-             if not claim.setting]
-    return cards_html(rows)
 
 
 def write_reference(results, path):
@@ -178,23 +152,21 @@ def write_reference(results, path):
         writer.writerow(columns)
         for config in sorted(CONFIGS.glob("paper/*.json")) + sorted(CONFIGS.glob("ablations/*.json")):
             experiment = load_experiment(results, f"{config.parent.name}/{config.stem}")
-            for setting, runs in sorted(group(experiment.runs,
-                                              lambda run: _setting(run, experiment.sweep)).items()):
+            groups = group(experiment.runs, lambda run: _setting(run, experiment.sweep))
+            for setting, runs in sorted(groups.items()):
                 status = " ".join(f"{count} {name}" for name, count in sorted(statuses(runs).items()))
-                row = [f"{config.parent.name}/{config.stem}", *setting, len(runs), status]
-                row += [f"{summary_spread(runs, name).median:.0f}" for name in COUNTS]
-                for name, offset in REFERENCE.items():
-                    s = summary_spread(runs, name) - offset
-                    row += ["" if np.isnan(x) else rounded(x) for x in (s.median, s.low, s.high)]
-                writer.writerow(row)
+                counts = [f"{summary_spread(runs, name).median:.0f}" for name in COUNTS]
+                spreads = [summary_spread(runs, name) - offset for name, offset in REFERENCE.items()]
+                numbers = [rounded(x) for s in spreads for x in (s.median, s.low, s.high)]  # None: empty
+                writer.writerow([experiment.config, *setting, len(runs), status, *counts, *numbers])
 
 
 def _setting(run, sweep):
     """(cells, model, pinned rings, other swept settings as text) of a run."""
-    named = ("/mesh/cells", "/bending/model", "/pins/ring", "/initial/seed")
-    rest = [f"{pointer}={json.dumps(at(run.config, pointer))}" for pointer in sweep
-            if pointer not in named and at(run.config, pointer) is not None]
-    return run.get("/mesh/cells", 0), run.model, run.get("/pins/ring"), " ".join(rest)
+    apart = ("/mesh/cells", "/bending/model", "/pins/ring", "/initial/seed")
+    rest = {pointer: run.get(pointer) for pointer in sweep if pointer not in apart}
+    text = " ".join(f"{pointer}={json.dumps(value)}" for pointer, value in rest.items() if value is not None)
+    return run.get("/mesh/cells", 0), run.model, run.get("/pins/ring"), text
 
 
 PAGE = Page("paper", "The paper, repeated", "./bendlab reproduce", FIGURES, content, write_data)

@@ -9,10 +9,9 @@ from figures.performance.rows import PRECISION, iterations, per_vertex, shown, t
 from pages.project import Content, Figure, Page
 from tables.numbers import number, rounded
 from tables.section import write_objects
-from web.html_parts import Made, Part, element, escape, folded, table_html
+from web.html_parts import Made, Part, element, escape, folded, row_html, scroll_table, table_html
 
-FILE = "results/performance/bench.json"
-MEASURE = f"./bendlab bench --json > {FILE}"
+MEASURE = "./bendlab bench --json > results/performance/bench.json"
 FIGURES = [
     Figure(overview, "What does a step cost?", "A step"),
     Figure(sizes, "Does a constraint cost more on a larger cloth?", "Size",
@@ -51,11 +50,6 @@ FIGURES = [
 ]
 
 
-def default_results(out):
-    """The file with the rows (measurements), if the caller names no file."""
-    return out / "bench.json"
-
-
 def read(file):
     """The output of the benchmark, read from a file."""
     try:
@@ -84,9 +78,11 @@ def content(sections, out):
              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every row, with the time "
                   "per vertex. <a href='bench.json'>bench.json</a>: the output of the "
                   f"program.</p><pre>{escape(PAGE.everything)}</pre>", "Data")]
-    overview_text = next((section.text for section in sections if section.id == "overview"), "")
-    return Content(escape(overview_text) or "There is no row of a whole step.",
-                   f"<p class='lead'>{escape(origin(context))}</p>", parts, made=made_by(context))
+    measured = (f"Measured on {context['date'][:10]} on one machine: {context['processor']}, "
+                f"{context['vector_bits']}-bit vectors, {context['compiler']}, commit "
+                f"{context['git_commit'][:12]} {tree(context)}.")
+    return Content(escape(overview.answer(bench["rows"])) or "There is no row of a whole step.",
+                   f"<p class='lead'>{escape(measured)}</p>", parts, made=made_by(context))
 
 
 def made_by(context):
@@ -96,52 +92,42 @@ def made_by(context):
                 f"{context['processor']}, {context['host']}", MEASURE)
 
 
-def origin(context):
-    return (f"Measured on {context['date'][:10]} on one machine: {context['processor']}, "
-            f"{context['vector_bits']}-bit vectors, {context['compiler']}, commit "
-            f"{context['git_commit'][:12]} {tree(context)}.")
-
-
 def tree(context):
     return "with changes that are not committed" if context["git_dirty"] else "without further changes"
 
 
 def method_html(bench):
-    timed = [row for row in bench["rows"] if row["repetitions"]]
-    repetitions = sorted({row["repetitions"] for row in timed})
     rounds = iterations(bench["rows"])
+    repetitions = " or ".join(map(str, sorted({row["repetitions"] for row in bench["rows"]} - {0})))
+    step = (f"A step has {rounds} iterations, and an iteration visits every constraint once. "
+            if rounds else "")
+    median = (f"Each number is the median of {repetitions} repetitions, with the lowest and the highest "
+              "beside it. " if repetitions else "")
     return ("<p>Constraints and effects are timed in the steps of a cloth that moves, so that positions, "
-            "branches and caches are as in a run. "
-            + (f"A step has {rounds} iterations, and an iteration visits every constraint once. " if rounds
-               else "")
-            + (f"Each number is the median of {' or '.join(map(str, repetitions))} repetitions, with the "
-               "lowest and the highest beside it. " if repetitions else "")
-            + "Times on one thread are processor times. Times on several threads are wall times.</p><p>The "
-            "<b>oracle</b> is the scalar code: one constraint at a time, in list order, straight from the "
-            "formulas. The oracle is written to be easy to check, and the results of the fast code must "
-            "agree with the oracle. The oracle is timed at one size, and all sizes are compared with this "
-            "time. For a linear solve, the oracle is CHOLMOD's solve in double precision, at each size. The "
-            "<b>roofline</b> is the least time that the machine allows: the largest of three times, for the "
-            "arithmetic, for the bytes through the first cache, and for the bytes through the cache or "
-            "memory that holds the whole cloth. These limits of the machine are measured in the same process "
-            "and listed below.</p>")
+            f"branches and caches are as in a run. {step}{median}Times on one thread are processor times. "
+            "Times on several threads are wall times.</p><p>The <b>oracle</b> is the scalar code: one "
+            "constraint at a time, in list order, straight from the formulas. The oracle is written to be "
+            "easy to check, and the results of the fast code must agree with the oracle. The oracle is timed "
+            "at one size, and all sizes are compared with this time. For a linear solve, the oracle is "
+            "CHOLMOD's solve in double precision, at each size. The <b>roofline</b> is the least time that "
+            "the machine allows: the largest of three times, for the arithmetic, for the bytes through the "
+            "first cache, and for the bytes through the cache or memory that holds the whole cloth. These "
+            "limits of the machine are measured in the same process and listed below.</p>")
 
 
 def machine_html(context):
     rows = {"processor": context["processor"], "vectors": f"{context['vector_bits']} bits",
             "host": context["host"], "date (UTC)": context["date"].replace("T", " ").rstrip("Z"),
             "compiler": context["compiler"], "flags": context["flags"], "build": context["build_type"],
-            "version of bendlab": context["version"],
-            "commit": f"{context['git_commit']}, {tree(context)}",
+            "version of bendlab": context["version"], "commit": f"{context['git_commit']}, {tree(context)}",
             "hash of the source": context["source_hash"]}
     for key, value in context.items():
         if size := re.fullmatch(r"triad_(\d+)_(\w+)_GB_per_s", key):
             rows[f"bandwidth on {size[1]} {size[2]}"] = f"{number(value)} GB/s"
         elif peak := re.fullmatch(r"peak_(\w+)_Gflop_per_s", key):
             rows[f"peak in {PRECISION[peak[1]]} precision"] = f"{number(value)} Gflop/s"
-    cells = "".join(element("tr", "".join(element("td", escape(text), class_="t") for text in row))
-                    for row in rows.items())
-    return element("div", element("table", element("tbody", cells), class_="cards"), class_="scroll")
+    cells = "".join(row_html(element("td", escape(text), class_="t") for text in row) for row in rows.items())
+    return scroll_table("", cells, class_="cards")
 
 
 def rows_html(rows):
@@ -152,5 +138,4 @@ def rows_html(rows):
     return folded(f"All {len(timed)} timed rows", table_html(made)) if timed else "<p>There are no rows.</p>"
 
 
-PAGE = Page("performance", "What does the solver cost?", MEASURE, FIGURES, content, write_data,
-            read=read)
+PAGE = Page("performance", "What does the solver cost?", MEASURE, FIGURES, content, write_data, read)

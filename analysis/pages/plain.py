@@ -1,21 +1,23 @@
 """The page of the plain matrix: does a run of a simple scene go wrong without a warning?"""
 import numpy as np
 
+from bendlab.results.load import group
 from figures.plain import shares
 from pages.project import Content, Figure, Page, summary
 from runs.plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
-from tables.numbers import known_values, number
+from runs.stability_cases import worst_of
+from tables.numbers import number, unit_text
 from tables.section import write_objects
 from tables.table import Table
 from web import plain_matrix
-from web.html_parts import Part, escape, table_html
+from web.html_parts import Part, element, escape, opener, row_html, scroll_table, table_html
 from web.verdicts import verdict_html
 
-VERDICTS = (SILENT, TOLD, ALARM, SOUND)
-KIND = {SILENT: "no", TOLD: "open", ALARM: "open", SOUND: "yes"}
-STATUS = {SILENT: "fails", TOLD: "amber", ALARM: "amber", SOUND: "holds"}  # verdict → CSS class
-TITLES = {SILENT: "Wrong without a warning, one by one", TOLD: "Wrong with a warning",
-          ALARM: "Reported as implausible, but no bound is broken"}
+# Verdict → CSS class of its count, CSS class of its runs, title of its runs
+LOOKS = {SILENT: ("no", "fails", "Wrong without a warning, one by one"),
+         TOLD: ("open", "amber", "Wrong with a warning"),
+         ALARM: ("open", "amber", "Reported as implausible, but no bound is broken"),
+         SOUND: ("yes", "holds", "")}
 MANY = 20  # rows in a table of pairs
 SCENES = ("<p>No scene here is meant to be hard. The scenes combine every mesh, every kind of pins, every "
           "model and every kind of stiffness, mixed so that any values of three settings occur together in "
@@ -29,32 +31,20 @@ def write_data(sections, results, out):
 
 def content(sections, out):
     judged = summary(out)
+    runs_of = group(judged, lambda run: run["verdict"])
     covered = " ".join(section.text for section in sections)
     for section in sections:
         section.text = ""
-    parts = []
-    for verdict, title in TITLES.items():
-        runs = [run for run in judged if run["verdict"] == verdict]
-        if runs:
-            parts.append(Part(f"runs-{verdict}", title, failures_html(runs), title.split(",")[0]))
+    parts = [Part(f"runs-{verdict}", title, failures_html(runs_of[verdict]), title.split(",")[0])
+             for verdict, (_, _, title) in LOOKS.items() if title and verdict in runs_of]
     parts += [Part("rules", "Which runs, and by which rules", f"{SCENES}{rules()}<p>{escape(covered)}</p>",
                    "Rules"),
               Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
-    return Content(answer(judged), overview(judged), parts,
+    counts = "".join(f"<li>{verdict_html(kind, str(len(runs_of.get(verdict, []))))} "
+                     f"{escape(shares.NAMES[verdict])}</li>" for verdict, (kind, _, _) in LOOKS.items())
+    return Content(answer(judged), f"<ul class='tally'>{counts}</ul>" if judged else "", parts,
                    data={"runs": [about(run) for run in judged if run["verdict"] != SOUND]},
                    verdicts=lambda section: [plain_matrix.matrix_html(judged), pairs_html(judged)])
-
-
-def overview(judged):
-    if not judged:
-        return ""
-    rows = "".join(f"<li>{verdict_html(KIND[verdict], str(count(judged, verdict)))} "
-                   f"{escape(shares.NAMES[verdict])}</li>" for verdict in VERDICTS)
-    return f"<ul class='tally'>{rows}</ul>"
-
-
-def count(judged, verdict):
-    return sum(run["verdict"] == verdict for run in judged)
 
 
 def answer(judged):
@@ -62,28 +52,21 @@ def answer(judged):
     if not judged:
         return "There are no runs yet."
     if not silent:
-        return (f"<b>No.</b> Of {len(judged)} runs {count(judged, TOLD)} broke a bound, and each of these "
-                "runs has a warning.")
-    worst = max(silent, key=excess)
+        told = sum(run["verdict"] == TOLD for run in judged)
+        return (f"<b>No.</b> Of {len(judged)} runs {told} broke a bound, and each of these runs has a "
+                "warning.")
+    worst = max(silent, key=lambda run: worst_of(run).excess)
     return (f"<b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: {escape(bound_text(worst))}, "
             f"with {escape(settings_text(worst))}.")
 
 
-def excess(run):
-    """The worst number of a run over its limit; infinite if the number is not finite."""
-    worst = known_values(run["worst"])
-    return worst["value"] / worst["limit"] if np.isfinite(worst["value"]) else np.inf
-
-
 def about(run):
-    worst = known_values(run["worst"])
-    finite = np.isfinite(worst["value"])
-    return {"id": run["id"], "title": settings_text(run), "status": STATUS[run["verdict"]],
-            "told": f"{shares.NAMES[run['verdict']]}{': ' + run['told'] if run['told'] else ''}",
-            "worst": {"label": worst["what"], "value": worst["value"] if finite else None,
-                      **({} if finite else {"text": "not finite"}), "limit": worst["limit"],
-                      "unit": worst["unit"], "held": not run["broken"],
-                      "note": f"broken: {', '.join(run['broken'])}" if run["broken"] else ""},
+    worst, verdict, broken = worst_of(run), run["verdict"], ", ".join(run["broken"])
+    value = {"value": worst.value} if np.isfinite(worst.value) else {"value": None, "text": "not finite"}
+    return {"id": run["id"], "title": settings_text(run), "status": LOOKS[verdict][1],
+            "told": shares.NAMES[verdict] + (f": {run['told']}" if run["told"] else ""),
+            "worst": {"label": worst.name, **value, "limit": worst.limit, "unit": worst.unit,
+                      "held": not broken, "note": f"broken: {broken}" if broken else ""},
             "command": run["command"]}
 
 
@@ -120,24 +103,22 @@ def settings_text(run):
 
 
 def bound_text(run):
-    worst = known_values(run["worst"])
-    unit = "" if worst["unit"] == "1" else f" {worst['unit']}"
-    return (f"{worst['what']} {number(worst['value'])}{unit} (at most {number(worst['limit'])})")
+    worst = worst_of(run)
+    return f"{worst.name} {number(worst.value)}{unit_text(worst.unit)} (at most {number(worst.limit)})"
 
 
 def failures_html(runs):
     """A table of runs, sorted by worst number over limit; a click on a row opens the run."""
-    names = list(runs[0]["settings"])
     chosen = {"method", "mesh", "pins", "model", "bending", "precision", "start"}
     head = "<th class='t'>worst number, its limit</th>" + "".join(
-        f"<th class='t{' choose' if name in chosen else ''}'>{escape(name)}</th>" for name in names)
-    rows = "".join(
-        f"<tr><td class='t' data-run='{escape(run['id'])}' data-v='{min(excess(run), 1e9):.6g}'><button "
-        f"type='button' class='opens'>{escape(bound_text(run))}</button></td>"
-        + "".join(f"<td class='t'>{escape(str(run['settings'][name]))}</td>" for name in names) + "</tr>\n"
-        for run in sorted(runs, key=excess, reverse=True))
-    return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Runs'><table class='sortable' "
-            f"data-rows='runs'><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>")
+        element("th", escape(name), class_="t choose" if name in chosen else "t")
+        for name in runs[0]["settings"])
+    rows = ""
+    for run in sorted(runs, key=lambda run: worst_of(run).excess, reverse=True):
+        settings = [element("td", escape(value), class_="t") for value in run["settings"].values()]
+        excess = f"{min(worst_of(run).excess, 1e9):.6g}"
+        rows += row_html([opener(run["id"], escape(bound_text(run)), data_v=excess), *settings]) + "\n"
+    return scroll_table(row_html(head), rows, "Runs", True, class_="sortable", data_rows="runs")
 
 
 PAGE = Page("plain", "Does any run go wrong without a warning?", "./bendlab reproduce plain",

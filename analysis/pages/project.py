@@ -7,19 +7,19 @@ import importlib
 import json
 import re
 import struct
-from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from draw import chart_files, style
-from tables.numbers import number_text
+from draw.frames import taken_from
 from tables import committed
 from tables.chart import resolved
-from tables.section import Section, write_objects
+from tables.numbers import number_text
+from tables.section import Section, read_objects, write_objects
 from tables.table import Table
-from web.html_parts import Made, Part, escape, page, section_part, table_html
-from draw.page_frames import PageFrames, taken_from
+from web.html_parts import Made, Part, chart_html, escape, page, section_part, table_html
+from web.origin import most_frequent
 
 NAMES = {"paper": "The paper", "stiffness": "Stiffness", "accuracy": "Accuracy", "stability": "Stability",
          "performance": "Performance", "plain": "Plain scenes"}  # folder below results/ → its name in links
@@ -36,9 +36,12 @@ class Figure:
     text: str = ""  # text that does not depend on the runs; the module may add to it
     figure: str = ""  # the paper's number
 
+    def __post_init__(self):
+        self.module = self.module.__name__  # another process can receive a name, but not a module
+
     @property
     def id(self):
-        return self.module.__name__.rpartition(".")[2]
+        return self.module.rpartition(".")[2]
 
 
 @dataclass
@@ -50,7 +53,6 @@ class Content:
     parts: list = field(default_factory=list)  # Parts after the sections
     moving: list = field(default_factory=list)  # Parts before the sections, if the page has moving cloth
     data: dict = field(default_factory=dict)  # what scripts read
-    frames: PageFrames = field(default_factory=PageFrames)
     made: Made | None = None  # origin of the page; None: taken from its runs
     verdicts: Callable = lambda section: []  # HTML that a section shows besides its charts
     heading: Callable = lambda section: section.title
@@ -81,30 +83,30 @@ def draw(page_, results, out, only=(), with_pdf=False):
     before = {section.id: section for section in kept(out)} if only and (out / KEPT).exists() else {}
     wanted = [figure for figure in page_.figures if not only or figure.id in only]
     with ProcessPoolExecutor(initializer=style.print_as_pdf, initargs=(with_pdf,)) as pool:
-        last_first = [(figure.id, pool.submit(drawn, *described(figure), results, out, page_.command))
+        last_first = [(figure.id, pool.submit(drawn, figure, results, out, page_.command))
                       for figure in reversed(wanted)]  # the pictures of cloth come last and take longest
         now = {id: section.result() for id, section in last_first}
-    sections = [now.get(figure.id) or before.get(figure.id) for figure in page_.figures]
-    sections = [section for section in sections if section]
+    known = before | now
+    sections = [known[figure.id] for figure in page_.figures if figure.id in known]
     page_.write_data(sections, results, out)
     write_objects(out / KEPT, [section.as_json() for section in sections])
     return sections
 
 
-def described(figure):
-    """A figure in a form that another process can receive: the name of its module, and its empty section."""
-    return figure.module.__name__, Section(figure.id, figure.title, figure.link, figure.text, figure.figure)
-
-
-def drawn(module, section, results, out, command=""):
-    """Lets the main() of a module fill the section, and writes pictures and charts to files in `out`."""
-    importlib.import_module(module).main(results, out, section)
-    tables = {table.id: table for table in section.tables}
-    for chart in section.charts:
-        data = resolved(chart, tables, command)
-        if data and chart.printed:
+def drawn(figure, results, out, command):
+    """The section of a figure, filled by the main() of its module. Its charts are also files in `out`."""
+    section = Section(figure.id, figure.title, figure.link, figure.text, figure.figure)
+    importlib.import_module(figure.module).main(results, out, section)
+    for chart, data in charts_of(section, command):
+        if chart.printed:
             chart_files.write_chart(data, out, chart.id)
     return section
+
+
+def charts_of(section, command):
+    """(chart, its data) for every chart of a section that has a number to draw."""
+    tables = {table.id: table for table in section.tables}
+    return [(chart, data) for chart in section.charts if (data := resolved(chart, tables, command))]
 
 
 def kept(out):
@@ -118,8 +120,7 @@ def kept(out):
 
 def summary(out):
     """The objects of a page's summary.json; [] if there is no such file."""
-    file = out / "summary.json"
-    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
+    return read_objects(out / "summary.json")
 
 
 # --- laying out --------------------------------------------------------------------------------------------
@@ -129,64 +130,41 @@ def lay_out(page_, out, drawn_now=()):
     sections `drawn_now`; if these sections have none, from the old index.html."""
     sections = kept(out)
     content = page_.content(sections, out)
-    moving = [section.frames for section in drawn_now if section.frames]
-    content.frames = moving[0] if moving else taken_from(out / "index.html")
-    charts, parts = [], []
-    top = content.top
+    frames = next((section.frames for section in drawn_now if section.frames), None) or taken_from(
+        out / "index.html")
+    charts, on_top, parts = [], "", [*content.moving] if frames.heads else []
     for section in sections:
-        tables = {table.id: table for table in section.tables}
-        drawn_charts = [(chart, data) for chart in section.charts
-                        if (data := resolved(chart, tables, page_.command))]
-        charts += [data for _, data in drawn_charts]
-        top = "".join(chart_html(data) for chart, data in drawn_charts if chart.on_top) + top
-        own = [("" if chart.on_top else chart_html(data),
-                file if chart.printed and (out / file).exists() else "")
-               for chart, data in drawn_charts for file in [f"{chart.id}.png"]]
+        own = []
+        for chart, data in charts_of(section, page_.command):
+            charts.append(data)
+            file = f"{chart.id}.png" if chart.printed and (out / f"{chart.id}.png").exists() else ""
+            own.append(("" if chart.on_top else chart_html(data, prefix="chart-"), file))
+            on_top += chart_html(data, prefix="chart-") if chart.on_top else ""
         parts.append(section_part(section, content.heading(section), page_.everything,
                                   content.verdicts(section), own))
-    data = {"charts": charts} | content.data
-    write(out, page_, replace(content, top=top, parts=[*(content.moving if content.frames.heads else []),
-                                                       *parts, *content.parts], data=data),
-          content.made or made_of(sections, page_.command))
-
-
-def chart_html(chart, note=""):
-    """The HTML element in which the page's script draws a chart."""
-    text = " ".join(part for part in (chart.get("note", ""), note) if part)
-    text = f"<span>{escape(text)}</span>" if text else ""
-    return (f"<figure class='chart' data-chart='{chart['id']}' id='chart-{chart['id']}'><figcaption><b>"
-            f"{escape(chart['title'])}</b>{text}</figcaption></figure>")
-
-
-def write(out, page_, content, made):
-    top = f"<h1>{escape(page_.title)}</h1><p class='answer'>{content.answer}</p>{content.top}"
-    parts = content.parts
+    parts += content.parts
+    top = f"<h1>{escape(page_.title)}</h1><p class='answer'>{content.answer}</p>{on_top}{content.top}"
     if committed.is_own(out):
-        top = own_html(page_.name) + top
-        parts = [*parts, *beside_the_committed(out)]
-    moving = content.frames
-    data = {"runs": [], "charts": []} | content.data | moving.data
-    data["runs"] = [{"label": run["title"]} | run | {"frames": moving.heads[run["id"]]}
-                    if run["id"] in moving.heads else run for run in data["runs"]]
-    text = page(f"bendlab: {page_.title}", top, parts, made, data, moving.html,
-                links_html(page_.name, out.parent), player=bool(moving.heads))
+        top = ("<p class='grey small'>This page shows your own runs. The project's runs are on <a "
+               f"href='../../{page_.name}/index.html'>the committed page</a>.</p>{top}")
+        parts += beside_the_committed(out)
+    data = {"runs": [], "charts": charts} | content.data | frames.data
+    data["runs"] = [{"label": run["title"]} | run | {"frames": frames.heads[run["id"]]}
+                    if run["id"] in frames.heads else run for run in data["runs"]]
+    text = page(f"bendlab: {page_.title}", top, parts, content.made or made_of(sections, page_.command), data,
+                frames.html, links_html(page_.name, out.parent), player=bool(frames.heads))
     (out / "index.html").write_text(sized(text, out), encoding="utf-8")
 
 
 def links_html(here, home):
     """The links at the top of a page, to all pages below the folder `home`. `here`: folder of this page, ""
     for the start page."""
-    there = [name for name in NAMES if name == here or (home / name / "index.html").exists()]
-    to = lambda name: f"{name}/index.html" if not here else f"../{name}/index.html"
+    up = "../" if here else ""
     current = lambda name: " aria-current='page'" if name == here else ""
-    links = "".join(f"<a href='{to(name)}'{current(name)}>{escape(NAMES[name])}</a>" for name in there)
-    start = f"<a class='home' href='{'' if not here else '../'}index.html'{current('')}>bendlab</a>"
-    return f"<div class='site'><div>{start}<nav aria-label='Pages'>{links}</nav></div></div>\n"
-
-
-def own_html(name):
-    return ("<p class='grey small'>This page shows your own runs. The project's runs are on <a "
-            f"href='../../{name}/index.html'>the committed page</a>.</p>")
+    links = "".join(f"<a href='{up}{name}/index.html'{current(name)}>{escape(text)}</a>"
+                    for name, text in NAMES.items() if name == here or (home / name / "index.html").exists())
+    return (f"<div class='site'><div><a class='home' href='{up}index.html'{current('')}>bendlab</a><nav "
+            f"aria-label='Pages'>{links}</nav></div></div>\n")
 
 
 def beside_the_committed(out):
@@ -194,20 +172,19 @@ def beside_the_committed(out):
     comparison = committed.compared(committed.COMMITTED / out.name, out)
     if comparison is None:
         return []
-    differing = [{"what": label, "committed": number_text(theirs, 4), "mine": number_text(mine, 4)}
-                 for label, theirs, mine in comparison.numbers]
+    numbers = [(label, number_text(theirs, 4), number_text(mine, 4))
+               for label, theirs, mine in comparison.numbers]
     tables = [Table.of("agreement", "Committed → mine", [("what", " "), "agree", ("do_not", "do not"),
                                                          ("not_made", "not made here")],
-                       [dict(zip(("what", "agree", "do_not", "not_made"), row))
-                        for row in committed.summary_rows(comparison)]),
+                       committed.summary_rows(comparison)),
               Table.of("verdicts", "Verdicts that differ or are open", ["what", "committed", "mine"],
-                       [dict(zip(("what", "committed", "mine"), row)) for row in comparison.verdicts]),
-              Table.of("numbers", "Numbers that differ", ["what", "committed", "mine"], differing)]
+                       comparison.verdicts),
+              Table.of("numbers", "Numbers that differ", ["what", "committed", "mine"], numbers)]
     text = ("<p>On processors of one kind, runs of the same program agree to the bit. On another kind of "
             "processor rounding differs, and chaotic sheets then differ as much as runs with different "
             "seeds.</p>")
-    return [Part("committed", "Beside the committed page",
-                 text + "".join(table_html(table) for table in tables if table.rows), "Committed")]
+    return [Part("committed", "Beside the committed page", text + "".join(map(table_html, tables)),
+                 "Committed")]
 
 
 def sized(text, folder):
@@ -224,9 +201,7 @@ def sized(text, folder):
 def made_of(sections, command):
     """Commit, dates and machine (Made) of the runs that the sections used."""
     origins = [origin for section in sections for origin in section.origins]
-    most = lambda name: ", ".join(
-        text for text, _ in Counter(origin[name] for origin in origins if origin.get(name)).most_common(3))
     dates = sorted({origin["date"] for origin in origins if origin.get("date")})
     span = " to ".join(dict.fromkeys([*dates[:1], *dates[-1:]]))
-    machine = ", ".join(filter(None, [most("machine"), most("host")]))
-    return Made(most("commit"), span, machine, command)
+    commit, *machine = (most_frequent(origins, name) for name in ("commit", "machine", "host"))
+    return Made(commit, span, ", ".join(filter(None, machine)), command)

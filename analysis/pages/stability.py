@@ -1,5 +1,4 @@
 """The page of the hard cases: what is stable."""
-import json
 import string
 from collections import Counter
 
@@ -7,11 +6,11 @@ from bendlab.results.load import group
 from figures.stability import cells, methods, pin
 from pages.project import Content, Figure, Page, summary
 from runs.stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
-                                  SECTIONS, STRAIN_CEILING, STRAIN_FLOOR)
-from tables.numbers import known_values, number
-from tables.section import write_objects
+                                  SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, worst_of)
+from tables.numbers import span, unit_text
+from tables.section import read_objects, write_objects
 from tables.table import Table
-from web import stability_matrix, stability_methods
+from web import stability_matrix
 from web.html_parts import Part, address, escape, folded, picture_html, table_html
 
 UNKNOWN = "not known"
@@ -19,6 +18,9 @@ PLAIN = "meshes: grid"  # the case with which all flaws and meshes are compared
 LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
          "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
 METHODS = "methods.json"
+PICTURE = ("The last good frame of the worst run of each case, for each criterion that makes the case red. A "
+           "case without red runs has the last frame of its worst amber run. Colour is stretch. Each picture "
+           "shows the whole cloth, and the text below states the cloth's extent (one size at rest).")
 FIGURES = [Figure(cells, "Cases whose verdict depends on the model", "Cases"),
            Figure(methods, "Hard cases with other solver methods", "Methods"),
            Figure(pin, "Is the degenerate triangle the cause?", "One pin",
@@ -39,48 +41,38 @@ def write_data(sections, results, out):
 
 
 def content(sections, out):
-    runs, file = summary(out), out / METHODS
-    by_method = json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
+    runs, by_method = summary(out), read_objects(out / METHODS)
     matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
+    note = plain_grid(runs)
     lead = ("<p>Each row is a case; the cases whose verdicts differ most among models come first. The left "
             "half of a cell is for single precision, the right half for double precision. A click on a cell "
-            "opens its run: the worst number and its limit, the reason, config and command. "
-            f"{plain_grid(runs)}</p>")
-    verdicts = {"cells": [lead, matrix, alike], "methods": stability_methods.methods_html(by_method)}
-    groups = [part for title, cases in SECTIONS.items() if (part := section_of(title, cases, runs, out))]
-    parts = [*groups, Part("rules", "The rules", rules(), "Rules"),
-             Part("data", "As data", data_html(by_method), "Data")]
-    top = stability_matrix.groups_html(runs) + amber_html(runs) if runs else ""
-    return Content(answer(runs), top, parts, data=stability_matrix.data([*runs, *by_method]),
-                   verdicts=lambda section: verdicts.get(section.id, []))
-
-
-def amber_html(runs):
-    """A note below the first matrix on the meaning of amber."""
-    note = plain_grid(runs)
-    return f"<p class='note'>{note}</p>" if note else ""
-
-
-def data_html(by_method):
+            f"opens its run: the worst number and its limit, the reason, config and command. {note}</p>")
+    verdicts = {"cells": [lead, matrix, alike], "methods": stability_matrix.methods_html(by_method)}
     also = f", <a href='{METHODS}'>{METHODS}</a>: the runs with other methods" if by_method else ""
-    return f"<p><a href='summary.json'>summary.json</a>: every run{also}.</p>"
+    parts = [*filter(None, (section_of(title, cases, runs, out) for title, cases in SECTIONS.items())),
+             Part("rules", "The rules", rules(), "Rules"),
+             Part("data", "As data", f"<p><a href='summary.json'>summary.json</a>: every run{also}.</p>",
+                  "Data")]
+    top = stability_matrix.groups_html(runs) if runs else ""
+    return Content(answer(runs), top + (f"<p class='note'>{note}</p>" if note else ""), parts,
+                   data=stability_matrix.data([*runs, *by_method]),
+                   verdicts=lambda section: verdicts.get(section.id, []))
 
 
 def answer(runs):
     if not runs:
         return "There are no runs yet."
     compared = stability_matrix.shared(runs)
-    red = Counter(run["model"] for run in compared if run["verdict"] == RED)
-    models = {run["model"]: red[run["model"]] for run in compared}
-    of = len(compared) // len(models)
-    few, many = ([model for model in models if red[model] == pick(models.values())] for pick in (min, max))
-    listed = lambda names: ", ".join(f"<b>{escape(name)}</b>" for name in names)
-    fails = lambda names: "fails" if len(names) == 1 else "fail"
+    red = {model: sum(run["verdict"] == RED for run in own_runs)
+           for model, own_runs in group(compared, lambda run: run["model"]).items()}
+    few, many = (group(red, red.get)[pick(red.values())] for pick in (min, max))  # models
+    fail = lambda models: (", ".join(f"<b>{escape(model)}</b>" for model in models)
+                           + (" fails" if len(models) == 1 else " fail"))
     counts = Counter(run["verdict"] for run in runs)
-    return (f"Every model has {of} comparable runs, each a hard case in one precision. {listed(few)} "
-            f"{fails(few)} in the fewest of these runs, {red[few[0]]}. {listed(many)} {fails(many)} in the "
-            f"most, {red[many[0]]}. Of all {len(runs)} runs {counts[RED]} fail, {counts[AMBER]} are stable "
-            f"but do not recover, {counts[GREEN]} pass.")
+    return (f"Every model has {len(compared) // len(red)} comparable runs, each a hard case in one "
+            f"precision. {fail(few)} in the fewest of these runs, {red[few[0]]}. {fail(many)} in the most, "
+            f"{red[many[0]]}. Of all {len(runs)} runs {counts[RED]} fail, {counts[AMBER]} are stable but do "
+            f"not recover, {counts[GREEN]} pass.")
 
 
 def rules():
@@ -115,51 +107,41 @@ def plain_grid(runs):
 
 
 def section_of(title, cases, runs, out):
-    """The section of a group of cases: rules, reasons of runs that are not green, a picture. None without
+    """The section of a group of cases: a picture, reasons of runs that are not green, rules. None without
     runs."""
-    here = {case.name: case for case in cases if any(run["case"] == case.name for run in runs)}
+    by_case = group(runs, lambda run: run["case"])
+    here = [case for case in cases if case.name in by_case]
     if not here:
         return None
-    own = [run for run in runs if run["case"] in here]
-    of = lambda case, verdict: sum(run["case"] == case.name and run["verdict"] == verdict for run in own)
+    failed = [run for run in runs if run["case"] in [case.name for case in here] and run["verdict"] != GREEN]
     rows = [{"case": case.title, "config": case.config + ".json", "rule": case.rule}
-            | {verdict: of(case, verdict) for verdict in (GREEN, AMBER, RED)} for case in here.values()]
-    parts = []
+            | {verdict: sum(run["verdict"] == verdict for run in by_case[case.name])
+               for verdict in (GREEN, AMBER, RED)} for case in here]
+    rules_table = Table.of("rules", "", ["case", "config", GREEN, AMBER, RED, ("rule", "green if")], rows)
     picture = f"fig_stability_{address(title).replace('-', '_')}.png"
-    if (out / picture).exists():
-        parts.append(picture_html(picture, "The last good frame of the worst run of each case, for each "
-                                           "criterion that makes the case red. A case without red runs has "
-                                           "the last frame of its worst amber run. Colour is stretch. Each "
-                                           "picture shows the whole cloth, and the text below states the "
-                                           "cloth's extent (one size at rest)."))
-    failed = [run for run in own if run["verdict"] != GREEN]
+    parts = [picture_html(picture, PICTURE)] if (out / picture).exists() else []
     if failed:
         parts.append(failed_html(failed, len(stability_matrix.models_of(runs))))
-    rules_table = table_html(Table.of("rules", "",
-                                      ["case", "config", GREEN, AMBER, RED, ("rule", "green if")],
-                                      rows))
-    parts.append(folded(f"The {len(here)} cases and their rules", rules_table))
+    parts.append(folded(f"The {len(here)} cases and their rules", table_html(rules_table)))
     return Part(address(title), title, "\n".join(parts), LINKS.get(title, title))
 
 
 def failed_html(failed, models):
     """Table of runs that are not green, one row per case, verdict and reason. A list below the table gives
     the reasons by letter. `models`: number of models on the page."""
-    reasons = list(dict.fromkeys(run["why"] or UNKNOWN for run in failed))
-    letter = dict(zip(reasons, string.ascii_lowercase))
-    rows = []
+    letters, rows = {}, []
     by_row = group(failed, lambda run: (run["title"], run["verdict"], run["why"] or UNKNOWN))
     for (title, verdict, why), row_runs in by_row.items():
-        numbers = group([known_values(run["worst"]) for run in row_runs],
-                        lambda worst: (worst["what"], worst["unit"]))
+        numbers = group(map(worst_of, row_runs), lambda worst: (worst.name, unit_text(worst.unit)))
         rows.append({"case": title, "verdict": verdict, "models": models_text(row_runs, models),
-                     "why": letter[why],
-                     "worst": "; ".join(range_text(worsts) for worsts in numbers.values()),
-                     "limit": "; ".join(_range([criterion["limit"] for criterion in worsts])
+                     "why": letters.setdefault(why, string.ascii_lowercase[len(letters)]),
+                     "worst": "; ".join(f"{name} {span([worst.value for worst in worsts])}{unit}"
+                                        for (name, unit), worsts in numbers.items()),
+                     "limit": "; ".join(span([worst.limit for worst in worsts])
                                         for worsts in numbers.values())})
     table = table_html(Table.of("failed", "What is not green", [
         "case", "verdict", "models", ("worst", "worst number"), ("limit", "its limit"), "why"], rows))
-    legend = "".join(f"<li>{escape(why)}</li>" for why in reasons)
+    legend = "".join(f"<li>{escape(why)}</li>" for why in letters)
     return f"{table}<ol type='a'>{legend}</ol>"
 
 
@@ -171,17 +153,6 @@ def models_text(runs, models):
         return "all"
     return ", ".join(model + ("" if len(own_runs) == 2 else f" ({own_runs[0]['precision']})")
                      for model, own_runs in precisions.items())
-
-
-def range_text(worst):
-    """Range of numbers with one name, as in 'mean strain 0.2 to 0.9'."""
-    unit = "" if worst[0]["unit"] == "1" else " " + worst[0]["unit"]
-    return f"{worst[0]['what']} {_range([criterion['value'] for criterion in worst])}{unit}"
-
-
-def _range(values):
-    low, high = number(min(values)), number(max(values))
-    return low if low == high else f"{low} to {high}"
 
 
 PAGE = Page("stability", "What is stable?", "./bendlab reproduce stability", FIGURES, content, write_data)

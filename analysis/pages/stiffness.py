@@ -85,20 +85,20 @@ def content(sections, out):
 def answer(sections):
     """The page's answer: how the stiffness depends on the resolution, as stated and by the paper's rule."""
     rows = next((section.table("summary") for section in sections if section.id == "calibrated"), [])
+    rows = sorted(rows, key=lambda row: row["ratio"])
     stated, ruled = ([row for row in rows if row["rule"] == rule] for rule in calibrated.RULES)
     if not stated:
         return "There are no runs yet."
-    worst = {name: max((row for row in stated if row["name"] == name), key=lambda row: row["ratio"])
-             for name in {row["name"] for row in stated}}
-    best, most = (pick(worst.values(), key=lambda row: row["ratio"]) for pick in (min, max))
+    worst = {row["name"]: row for row in stated}
+    best = min(worst.values(), key=lambda row: row["ratio"])
     kept = all(row["ratio"] <= 1 + calibrated.LIMITS[row["family"]] for row in stated)
-    text = ("If the flexural rigidity is stated, a model has "
-            + ("the same stiffness" if kept else "nearly the same stiffness")
-            + f" on finer meshes: the stiffness of {_change(best)}, the stiffness of {_change(most)}")
-    ruled = [row["ratio"] for row in ruled if row["name"] in resolution.CLAIMED]
-    if ruled:
+    text = (f"If the flexural rigidity is stated, a model has {'the' if kept else 'nearly the'} same "
+            f"stiffness on finer meshes: the stiffness of {_change(best)}, the stiffness of "
+            f"{_change(stated[-1])}")
+    ratios = [row["ratio"] for row in ruled if row["name"] in resolution.CLAIMED]
+    if ratios:
         text += (". By the paper's rule, the stiffness of the paper's springs changes by a factor of "
-                 f"{number_text(min(ruled), 2)} to {number_text(max(ruled), 2)}")
+                 f"{number_text(ratios[0], 2)} to {number_text(ratios[-1], 2)}")
     return text + "."
 
 

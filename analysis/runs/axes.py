@@ -5,9 +5,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from runs.collected import flattened
-from runs.sweeps import point_key
+from runs.sweeps import is_number, point_key
 
-MESH = "/mesh"
 CELLS = "/mesh/cells"
 
 
@@ -24,7 +23,7 @@ class Axis:
 
     @property
     def numeric(self):
-        return all(is_number(value) for value in self.values)
+        return all(map(is_number, self.values))
 
     @property
     def short(self):
@@ -63,9 +62,7 @@ class Axis:
 
     def place(self, run):
         """The index of the run's value on this axis; None if the axis does not apply to the run's model."""
-        if self.pointer not in run.point:
-            return None
-        return self.places.get(point_key({self.pointer: run.point[self.pointer]}))
+        return self.places.get(point_key(run.point[self.pointer])) if self.pointer in run.point else None
 
     def text(self, run):
         place = self.place(run)
@@ -80,7 +77,7 @@ def axes_of(sweep):
 
 def by_vertices(sweep, axis):
     """An axis of numbers of vertices, if `axis` has meshes with different numbers; otherwise `axis`."""
-    if not axis.pointer.startswith(MESH) or axis.pointer == CELLS or axis.is_seed:
+    if not axis.pointer.startswith("/mesh") or axis.pointer == CELLS or axis.is_seed:
         return axis
     counts = [{run.summary["vertices"] for run in sweep.runs if axis.place(run) == place
                and "vertices" in run.summary} for place in range(len(axis.values))]
@@ -93,19 +90,18 @@ def by_vertices(sweep, axis):
 
 def _axis(pointer, values, sweep):
     unit, meaning = sweep.meanings.setting(pointer)
-    places = {point_key({pointer: value}): i for i, value in enumerate(values)}
+    places = {point_key(value): i for i, value in enumerate(values)}
     label = "cells along the width" if pointer == CELLS else _name(pointer, sweep.axes)
     return Axis(pointer, values, _texts(values), label, unit, meaning, places)
 
 
 def _name(pointer, axes):
     """The end of a pointer: as many of its last parts as needed to differ from all other axes."""
-    parts = pointer.split("/")[1:]
-    for count in range(1, len(parts) + 1):
-        end = parts[-count:]
-        if not any(other != pointer and other.split("/")[1:][-count:] == end for other in axes):
-            break
-    return " ".join(end).replace("_", " ")
+    others = [other for other in axes if other != pointer]
+    parts, end = pointer.split("/")[1:], ""
+    while parts and (not end or any(other.endswith(end) for other in others)):
+        end = f"/{parts.pop()}{end}"
+    return end[1:].replace("/", " ").replace("_", " ")
 
 
 def _texts(values):
@@ -121,11 +117,10 @@ def _texts(values):
 
 
 def _object_text(flat, differ):
-    named_first = [key for key in ("/model", "/method") if key in differ and key in flat]
-    parts = [flat[key] for key in named_first]
-    parts += [f"{key.rsplit('/', 1)[1].replace('_', ' ')} {value_text(flat[key])}" for key in differ
-              if key in flat and key not in named_first]
-    return ", ".join(parts) or "as it is"
+    names = [flat[key] for key in ("/model", "/method") if key in differ and key in flat]
+    others = [f"{key.rsplit('/', 1)[1].replace('_', ' ')} {value_text(flat[key])}" for key in differ
+              if key and key in flat and key not in ("/model", "/method")]
+    return ", ".join([*names, *others]) or "as it is"
 
 
 def value_text(value):
@@ -136,14 +131,9 @@ def value_text(value):
         return str(int(value)) if value == int(value) and abs(value) < 1e9 else f"{value:.6g}"
     if isinstance(value, str):
         return value
-    if isinstance(value, list) and all(is_number(entry) for entry in value):
+    if isinstance(value, list) and all(map(is_number, value)):
         return " ".join(map(value_text, value))
     return json.dumps(value)
-
-
-def is_number(value):
-    """Whether a value of JSON is a number."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def label_of(run, axes):

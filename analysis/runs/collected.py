@@ -11,7 +11,7 @@ from pathlib import Path
 from bendlab.results import registry
 from bendlab.results.load import Indices, Run, group, load_run
 from bendlab.results.meanings import Meanings
-from runs.sweeps import file_in, point_key, settings_at
+from runs.sweeps import file_in, is_number, point_key, settings_at
 
 
 @dataclass
@@ -47,9 +47,7 @@ def collect(paths):
     sweeps = [sweep for path in paths for sweep in _at(Path(path))]
     seen = set()
     for sweep in sweeps:  # a trial may share runs with its config
-        own = [run for run in sweep.runs if run.id not in seen]
-        if len(own) < len(sweep.runs) and own:
-            sweep.runs = own
+        sweep.runs = [run for run in sweep.runs if run.id not in seen] or sweep.runs
         seen |= {run.id for run in sweep.runs}
     return sweeps
 
@@ -74,8 +72,7 @@ def _at(path):
 def _run_files(folder):
     """One file of every run below the folder: the finished file, or else the newest unfinished file. Without
     reference runs, except in a folder of references."""
-    folders = {file.parent for file in sorted(folder.glob("**/run.vtkhdf*"))
-               if file.suffix in (".vtkhdf", ".part")
+    folders = {file.parent for file in folder.glob("**/run.vtkhdf*") if file.suffix in (".vtkhdf", ".part")
                and "references" not in file.relative_to(folder).parts[:-1]}
     return [file_in(below) for below in sorted(folders)]
 
@@ -93,12 +90,11 @@ def _of_file(file, indices=None):
         if run and run.status != "unreadable" and run.id != entry["id"]:
             sweep.notes.append(f"{path} is left out, because the file belongs to another run, {run.id}")
             run = None
-        if run is None or run.status == "unreadable" or not run.frames:
-            lost = run
-            run = Run(file=None, id=entry["id"] or f"missing-{number}", name=sweep.name, status="missing",
+        if not run or not run.frames:
+            problem = run.provenance if run and run.status == "unreadable" else {}
+            run = Run(file=None, id=entry["id"] or f"missing-{number}", name=sweep.name,
+                      status="unreadable" if problem else "missing", provenance=problem,
                       config=settings_at(sweep.settings, entry["point"]), summary={}, metrics={"time": []})
-            if lost is not None and lost.status == "unreadable":
-                run.status, run.provenance = lost.status, lost.provenance
         run.point = entry["point"]
         sweep.runs.append(run)
     return sweep
@@ -119,12 +115,12 @@ def _of_runs(source, runs):
     without points, the fewest settings by which the runs differ."""
     if len(runs) > 1 and not any(run.point for run in runs):
         _find_places(runs)
-    axes = {}
+    found = {}
     for run in runs:
         for pointer, value in run.point.items():
-            values = axes.setdefault(pointer, {})
-            values.setdefault(point_key({pointer: value}), value)
-    axes = {pointer: _in_order(list(values.values())) for pointer, values in axes.items()}
+            found.setdefault(pointer, {}).setdefault(point_key(value), value)
+    axes = {pointer: list(values.values()) for pointer, values in found.items()}
+    axes |= {pointer: sorted(values) for pointer, values in axes.items() if all(map(is_number, values))}
     return Sweep(runs[0].name, source, runs, axes)
 
 
@@ -143,23 +139,23 @@ def _find_places(runs):
     groups = {id: () for id in flat}  # id → values of the axes so far
     for pointer in sorted((p for p, values in texts.items() if len(set(values.values())) > 1), key=rank):
         finer = {id: (*known, texts[pointer][id]) for id, known in groups.items()}
-        if len(set(finer.values())) == len(set(groups.values())):
-            continue
-        groups = finer
-        for run in runs:
-            if pointer in flat.get(run.id, {}):
-                run.point[pointer] = flat[run.id][pointer]
+        if len(set(finer.values())) > len(set(groups.values())):
+            groups = finer
+            for run in runs:
+                if pointer in flat.get(run.id, {}):
+                    run.point[pointer] = flat[run.id][pointer]
 
 
 def flattened(value, pointer=""):
     """JSON pointer → value, for values in nested objects and lists; lists of numbers and texts stay whole."""
     if isinstance(value, dict) and value:
-        return {key: entry for name, below in value.items()
-                for key, entry in flattened(below, f"{pointer}/{name}").items()}
-    if isinstance(value, list) and any(isinstance(entry, (dict, list)) for entry in value):
-        return {key: entry for i, below in enumerate(value)
-                for key, entry in flattened(below, f"{pointer}/{i}").items()}
-    return {pointer: value}
+        inner = value.items()
+    elif isinstance(value, list) and any(isinstance(entry, (dict, list)) for entry in value):
+        inner = enumerate(value)
+    else:
+        return {pointer: value}
+    return {key: entry for name, below in inner
+            for key, entry in flattened(below, f"{pointer}/{name}").items()}
 
 
 def stated(settings, point):
@@ -175,16 +171,11 @@ def differing(base, own):
     return changed | {pointer: None for pointer in base if pointer not in own}
 
 
-def _in_order(values):
-    numbers = all(isinstance(value, (int, float)) and not isinstance(value, bool) for value in values)
-    return sorted(values) if numbers else values
-
-
 def _note_unlisted(folder, sweeps):
     """Adds a note: how many runs in the folder are in no sweep file."""
     known = {run.file.parent for sweep in sweeps for run in sweep.runs if run.file}
     unlisted = [file for file in _run_files(folder) if file.parent not in known]
-    if unlisted and sweeps:
+    if unlisted:
         count = "1 run" if len(unlisted) == 1 else f"{len(unlisted)} runs"
         sweeps[0].notes.append(f"Left out of {folder}: {count} that no sweep file lists, for example "
                                f"{unlisted[0].parent.name}")

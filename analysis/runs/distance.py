@@ -1,4 +1,5 @@
 """Distances between cloths with the same vertices, (V, 3) in m, and between groups of runs."""
+import itertools
 from functools import lru_cache
 
 import numpy as np
@@ -53,34 +54,30 @@ def turned_onto(a, b, centre):
 def at_rest(run, other, where=slice(None)):
     """RMS distance of the last frames of two runs, in sizes of the sheet, after the best turn about the
     vertical through the pins, because only the shape counts. `where`: the compared vertices."""
-    a, b = run.positions(-1), other.positions(-1)
-    seeds = run.pin_seeds
-    centre = a[seeds].mean(axis=0) if len(seeds) else a.mean(axis=0)
+    a, b, seeds = run.positions(-1), other.positions(-1), run.pin_seeds
+    centre = (a[seeds] if len(seeds) else a).mean(axis=0)
     return rms_distance(turned_onto(a, b, centre)[where], b[where]) / run.size
 
 
 def in_first_second(run, other, where=slice(None)):
     """RMS distance of two runs at equal times, in sizes of the sheet; mean over the first second."""
-    frames = [f for f, t in enumerate(run.metrics["time"]) if 0 < t <= 1 + 1e-9]
-    return float(np.mean([rms_distance(run.positions(f)[where], other.positions(f)[where])
-                          for f in frames])) / run.size
+    distances = [rms_distance(run.positions(frame)[where], other.positions(frame)[where])
+                 for frame, time in enumerate(run.metrics["time"]) if 0 < time <= 1 + 1e-9]
+    return float(np.mean(distances)) / run.size
 
 
 def between_runs(runs, other_runs):
     """(RMS, Hausdorff) distances as spreads, in sizes of the sheet, over all pairs of one run from each group
-    with different seeds.
-
-    RMS is the median over the last second; Hausdorff is from the last frame. With the same group twice, the
-    result is the distance between two runs of one scene, with which other distances of chaotic sheets are
-    compared.
-    """
+    with different seeds. RMS is the median over the last second; Hausdorff is from the last frame. With the
+    same group twice, the result is the distance between two runs of one scene, with which other distances of
+    chaotic sheets are compared."""
     rms, hausdorff = [], []
-    for i, a in enumerate(runs):
-        for b in other_runs[i + 1:] if runs is other_runs else other_runs:
-            if a.get("/initial/seed") != b.get("/initial/seed"):
-                first, second = _last_second(a.file), _last_second(b.file)
-                rms.append(np.median([rms_distance(p, q) for p, q in zip(first, second)]) / a.size)
-                hausdorff.append(hausdorff_distance(first[-1], second[-1]) / a.size)
+    pairs = itertools.combinations(runs, 2) if runs is other_runs else itertools.product(runs, other_runs)
+    for a, b in pairs:
+        if a.get("/initial/seed") != b.get("/initial/seed"):
+            first, second = _last_second(a.file), _last_second(b.file)
+            rms.append(np.median([rms_distance(p, q) for p, q in zip(first, second)]) / a.size)
+            hausdorff.append(hausdorff_distance(first[-1], second[-1]) / a.size)
     return spread(rms), spread(hausdorff)
 
 

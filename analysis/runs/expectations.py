@@ -1,52 +1,41 @@
 """Checks the metrics of a run against the bounds in its config ("expect"), like config/expectations.hpp."""
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, field, replace
 
 from bendlab.results.load import at
 from runs.sweeps import point_key
 
-NONE = object()
+NONE = object()  # in place of a setting that the run lacks; the setting may be null
 
 
 @dataclass
 class Expected:
-    """A bound on a metric of a run."""
+    """A bound on a metric of a run. Bounds are equal (==) even if their measured values differ."""
 
     metric: str
     minimum: float | None
     maximum: float | None
     why: str
     where: dict  # JSON pointer → value of the runs to which the bound applies
-    measured: float | None = None  # None: the run lacks the metric
+    measured: float | None = field(default=None, compare=False)  # None: the run lacks the metric
 
     @property
     def holds(self):
         """Whether the metric is within its bound; False if the metric is NaN or missing."""
-        if self.measured is None:
-            return False
-        return ((self.minimum is None or self.measured >= self.minimum)
-                and (self.maximum is None or self.measured <= self.maximum))
+        return self.margin >= 0
 
     @property
     def bound(self):
-        parts = [f"at least {self.minimum:g}" if self.minimum is not None else "",
-                 f"at most {self.maximum:g}" if self.maximum is not None else ""]
-        return " and ".join(part for part in parts if part)
+        sides = (("at least", self.minimum), ("at most", self.maximum))
+        return " and ".join(f"{side} {limit:g}" for side, limit in sides if limit is not None)
 
     @property
     def margin(self):
         """How far the metric is inside its bound, relative to the bound; negative if outside."""
-        sides = []
         if self.measured is None:
-            return -float("inf")
-        for bound, sign in ((self.minimum, 1), (self.maximum, -1)):
-            if bound is not None:
-                sides.append(sign * (self.measured - bound) / (abs(bound) or 1))
-        return min(sides)
-
-    def same_bound(self, other):
-        """Whether two bounds are equal, apart from the measured values."""
-        statement = lambda bound: (bound.metric, bound.minimum, bound.maximum, bound.why, bound.where)
-        return statement(self) == statement(other)
+            return -math.inf
+        return min(sign * (self.measured - bound) / (abs(bound) or 1)
+                   for bound, sign in ((self.minimum, 1), (self.maximum, -1)) if bound is not None)
 
     @property
     def limit(self):
@@ -65,13 +54,8 @@ def check(settings, run):
     """The bounds that apply to this run, with the run's metrics. [] for a missing run."""
     if not run.summary:
         return []
-    return [Expected(bound.metric, bound.minimum, bound.maximum, bound.why, bound.where,
-                     run.summary.get(bound.metric))
-            for bound in expected_of(settings) if _is_about(bound.where, settings, run)]
-
-
-def _is_about(where, settings, run):
-    return all(_has(run, settings, pointer, value) for pointer, value in where.items())
+    return [replace(bound, measured=run.summary.get(bound.metric)) for bound in expected_of(settings)
+            if all(_has(run, settings, pointer, value) for pointer, value in bound.where.items())]
 
 
 def _has(run, settings, pointer, value):
@@ -85,4 +69,4 @@ def _within(written, resolved):
     """Whether a setting of a config gives the resolved setting. Objects may leave out defaults."""
     if isinstance(written, dict) and isinstance(resolved, dict):
         return all(key in resolved and _within(entry, resolved[key]) for key, entry in written.items())
-    return point_key({"": written}) == point_key({"": resolved})
+    return point_key(written) == point_key(resolved)

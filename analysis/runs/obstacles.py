@@ -30,45 +30,34 @@ def clearance(run, time, points):
     least = np.inf
     for index, effect in enumerate(run.get("/effects", [])):
         if effect["type"] in DISTANCES:
-            moved = points - time * np.array(effect["velocity"], float)
-            least = min(least, DISTANCES[effect["type"]](effect, moved).min())
+            distances = DISTANCES[effect["type"]](effect, points - time * np.array(effect["velocity"], float))
+            least = min(least, distances.min())
         elif index in run.obstacles:
             at_start, corners, velocity = run.obstacles[index]
             least = min(least, _off_mesh(points - time * velocity, at_start, corners))
     return float(least)
 
 
-def _vector(effect, name):
-    return np.array(effect[name], float)
+def _off_plane(plane, points):
+    return (points - plane["point"]) @ plane["normal"] / np.linalg.norm(plane["normal"])
 
 
-def _off_plane(effect, points):
-    normal = _vector(effect, "normal")
-    return (points - _vector(effect, "point")) @ normal / np.linalg.norm(normal)
-
-
-def _off_disc(effect, points):
-    axis = _vector(effect, "axis")
-    axis /= np.linalg.norm(axis)
-    relative = points - _vector(effect, "centre")
+def _off_disc(disc, points):
+    axis = disc["axis"] / np.linalg.norm(disc["axis"])
+    relative = points - disc["centre"]
     up = relative @ axis
-    outward = np.linalg.norm(relative - up[:, None] * axis,
-                             axis=1) - (effect["radius"] - effect["height"] / 2)
-    return np.hypot(np.maximum(outward, 0), up) - effect["height"] / 2
+    outward = np.linalg.norm(relative - up[:, None] * axis, axis=1) - (disc["radius"] - disc["height"] / 2)
+    return np.hypot(np.maximum(outward, 0), up) - disc["height"] / 2
 
 
-def _off_segment(effect, points, a, b):
-    along = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-300), 0, 1)
-    return np.linalg.norm(points - a - along[:, None] * (b - a), axis=1) - effect["radius"]
+def _off_sphere(sphere, points):
+    return np.linalg.norm(points - sphere["centre"], axis=1) - sphere["radius"]
 
 
-def _off_sphere(effect, points):
-    centre = _vector(effect, "centre")
-    return _off_segment(effect, points, centre, centre)
-
-
-def _off_capsule(effect, points):
-    return _off_segment(effect, points, _vector(effect, "a"), _vector(effect, "b"))
+def _off_capsule(capsule, points):
+    axis, relative = np.subtract(capsule["b"], capsule["a"]), points - capsule["a"]
+    along = np.clip(relative @ axis / max(axis @ axis, 1e-300), 0, 1)
+    return np.linalg.norm(relative - along[:, None] * axis, axis=1) - capsule["radius"]
 
 
 # Shapes with a formula for the distance. For other obstacles, the distance is measured from the surface.
@@ -92,8 +81,8 @@ def _off_mesh(points, corners, triangles):
 def _in_box(points, low, high):
     """Indices of points (n, 3) in a box; the points are sorted by x."""
     first, last = np.searchsorted(points[:, 0], (low[0], high[0]))
-    y, z = points[first:last, 1], points[first:last, 2]
-    return first + np.flatnonzero((y >= low[1]) & (y <= high[1]) & (z >= low[2]) & (z <= high[2]))
+    near = points[first:last, 1:]
+    return first + np.flatnonzero(((near >= low[1:]) & (near <= high[1:])).all(axis=1))
 
 
 def _is_closed(triangles):
@@ -108,8 +97,8 @@ def _from_triangle(points, corners):
     normal = np.cross(sides[0], sides[1])
     relative = points[:, None] - corners
     over = (np.einsum("nij,ij->ni", relative, np.cross(sides, normal)) < 0).all(axis=1)
-    along = np.clip(np.einsum("nij,ij->ni", relative, sides) / np.maximum((sides**2).sum(axis=1), 1e-300), 0,
-                    1)
+    along = np.einsum("nij,ij->ni", relative, sides) / np.maximum((sides**2).sum(axis=1), 1e-300)
+    along = np.clip(along, 0, 1)
     beside = np.linalg.norm(relative - along[..., None] * sides, axis=2).min(axis=1)
     return np.where(over, np.abs(relative[:, 0] @ normal) / max(np.linalg.norm(normal), 1e-300), beside)
 
@@ -119,10 +108,8 @@ def _within(points, faces):
     point crosses the surface an odd number of times."""
     odd, bottom = np.zeros(len(points), bool), faces[..., 2].min()
     for face in faces:
-        (left, front, _), (right, back, top) = face.min(axis=0), face.max(axis=0)
-        below = _in_box(points, (left, front, bottom), (right, back, top))
-        if len(below):
-            odd[below] ^= _passes(points[below], face)
+        below = _in_box(points, np.array([*face.min(axis=0)[:2], bottom]), face.max(axis=0))
+        odd[below] ^= _passes(points[below], face)
     return odd
 
 

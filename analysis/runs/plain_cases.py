@@ -5,12 +5,13 @@ the verdict: no run should break a bound without a warning. Lengths are in sizes
 the rest box.
 """
 import json
-from dataclasses import dataclass, field
 
 import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.load import method_name
+from runs.stability_cases import Criterion
+from runs.stretch import areas, principal_stretches
 
 FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
@@ -19,9 +20,7 @@ TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 SOUND, TOLD, SILENT, ALARM = "sound", "told", "silent", "false alarm"
 
 FALL = 1e-3  # share of the distance that a cloth without pins falls
-# Strain. Woven cloth stretches by a tenth before it resists (Provot 1995); cloth here is stated not to
-# stretch
-WAY = 0.1
+WAY = 0.1  # strain; woven cloth resists above a tenth (Provot 1995), cloth here is stated not to stretch
 NEAR = 0.02  # sizes; allowed in addition to WAY, for the few triangles at a pin
 MEAN_STRAIN = 0.1  # the same as WAY
 STRETCH = 3.0  # of one triangle; at a single pinned vertex the paper's scene briefly has 2.2
@@ -36,60 +35,6 @@ UNFINISHED = 0.05
 ROUNDING = 1e-6  # sizes; rounding error of a coordinate in single precision, some sizes from the origin
 
 
-@dataclass(frozen=True)
-class Bound:
-    """A number of a run and its upper limit."""
-
-    name: str
-    value: float
-    limit: float
-    unit: str
-
-    @property
-    def holds(self):
-        return self.value <= self.limit  # NaN fails
-
-    @property
-    def excess(self):
-        return self.value / self.limit if np.isfinite(self.value) else np.inf
-
-    def as_json(self):
-        return {"what": self.name, "value": self.value, "limit": self.limit, "unit": self.unit}
-
-
-@dataclass
-class Judged:
-    """One run with its bounds and the program's warning."""
-
-    config: str
-    run: object
-    settings: dict  # axis → value, both as text for a page
-    bounds: list
-    told: str  # the program's status or warnings; "" for none
-    command: str
-    notes: list = field(default_factory=list)
-
-    @property
-    def broken(self):
-        return sorted((bound for bound in self.bounds if not bound.holds), key=lambda bound: -bound.excess)
-
-    @property
-    def worst(self):
-        return max(self.bounds, key=lambda bound: bound.excess)
-
-    @property
-    def verdict(self):
-        if self.broken:
-            return TOLD if self.told else SILENT
-        return ALARM if self.run.status in ("implausible", "diverged") else SOUND
-
-    def as_json(self):
-        return {"config": self.config, "settings": self.settings, "verdict": self.verdict,
-                "status": self.run.status, "worst": self.worst.as_json(),
-                "broken": [bound.name for bound in self.broken], "told": self.told, "seconds": self.run.cpu_s,
-                "command": self.command}
-
-
 # The axes: a name → a function that gives the value as text, from a resolved config.
 
 def _mesh(config):
@@ -101,9 +46,8 @@ def _mesh(config):
 
 def _pins(config):
     names = config["pins"]["vertices"]
-    if len(names) > 1:
-        return "corners"
-    return {"": "none", "upper_right": "a corner", "top": "an edge"}.get("".join(names), "".join(names))
+    name = "corners" if len(names) > 1 else "".join(names)
+    return {"": "none", "upper_right": "a corner", "top": "an edge"}.get(name, name)
 
 
 def _bending(config):
@@ -119,11 +63,9 @@ def _bending(config):
 
 
 def _start(config):
-    initial = config["initial"]
-    if any(initial["spin"]):
-        return "turning"
-    return {0: "flat", 90: "hanging, pushed",
-            30: "tilted, thrown"}.get(initial["tilt"], f"tilt {initial['tilt']:g}")
+    tilt = config["initial"]["tilt"]
+    known = {0: "flat", 90: "hanging, pushed", 30: "tilted, thrown"}
+    return "turning" if any(config["initial"]["spin"]) else known.get(tilt, f"tilt {tilt:g}")
 
 
 NOT_READ = "not read"  # an unread setting: the run's method does not use it, and the run's config lacks it
@@ -140,8 +82,7 @@ AXES = {
     "strain form": lambda config: config["material"]["strain"]["form"],
     "strain stiffness": lambda config: config["material"]["strain"]["stiffness"],
     "start": _start,
-    "substeps × iterations": lambda config: f"{config['solver']['substeps']:g} × "
-    f"{config['solver']['iterations']:g}",
+    "substeps × iterations": lambda config: "{substeps:g} × {iterations:g}".format(**config["solver"]),
     "order": lambda config: config["solver"].get("order", NOT_READ),
     "sweep": lambda config: config["solver"].get("sweep", NOT_READ),
     # newton and vbd always use double
@@ -155,90 +96,62 @@ def settings_of(config):
 
 
 def command_of(config_name, point):
-    parts = [
-        f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
-        for pointer, value in point.items()]
-    return " ".join([f"./bendlab run configs/{config_name}.json", *(f"--set {part}" for part in parts)])
+    text = lambda value: value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
+    changes = [f"--set '{pointer}={text(value)}'" for pointer, value in point.items()]
+    return " ".join([f"./bendlab run configs/{config_name}.json", *changes])
 
 
 # The bounds.
 
 class Scene:
-    """Data of a run that the bounds need: frames (F, V, 3), rest shape and loads. Lengths in m."""
+    """Data of a run that the bounds need: frames (F, V, 3), rest shape, loads, and velocities at the start
+    (V, 3), which are 0 for pinned vertices. Lengths in m."""
 
     def __init__(self, run):
-        self.run = run
+        self.run, self.size, self.pins = run, run.size, np.flatnonzero(run.pinned)
         self.frames, self.time = run.trajectory(), np.asarray(run.metrics["time"], float)
         self.rest, self.triangles = run.rest_positions, run.triangles
-        self.pins = np.flatnonzero(run.pinned)
-        self.size = float(np.linalg.norm(np.ptp(self.rest, axis=0)))
         gravity = [effect["acceleration"] for effect in run.config["effects"] if effect["type"] == "gravity"]
         self.gravity = np.array(gravity[0], float) if gravity else np.zeros(3)
         self.h = run.get("/solver/dt") / run.get("/solver/substeps")
         self.second_order = run.get("/solver/integrator") == "bdf2"
-        self.mass = self._masses()
-        self.velocity = self._velocities()
+        self.mass = masses(self.rest, self.triangles)
+        arm = self.frames[0] - (self.rest.min(axis=0) + self.rest.max(axis=0)) / 2
+        self.velocity = run.get("/initial/velocity") + np.cross(run.get("/initial/spin"), arm)
+        self.velocity[self.pins] = 0
 
-    def _masses(self):
-        """(V) share of the mass at every vertex: a third of the area of its triangles."""
-        a, b, c = (self.rest[self.triangles[:, i]] for i in range(3))
-        area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
-        mass = np.bincount(self.triangles.ravel(), np.repeat(area / 3, 3), len(self.rest))
-        return mass / mass.sum()
 
-    def _velocities(self):
-        """(V, 3) velocities at the start; 0 for pinned vertices."""
-        start = self.frames[0]
-        middle = (self.rest.min(axis=0) + self.rest.max(axis=0)) / 2
-        velocity = np.array(self.run.get("/initial/velocity"),
-                            float) + np.cross(self.run.get("/initial/spin"), start - middle)
-        velocity[self.pins] = 0
-        return velocity
+def masses(rest, triangles):
+    """(V) share of the mass at every vertex: a third of the area of its triangles."""
+    mass = np.bincount(triangles.ravel(), np.repeat(areas(rest, triangles) / 3, 3), len(rest))
+    return mass / mass.sum()
 
 
 def bounds_of(run):
     """Every bound of a run, from its recorded frames."""
     scene = Scene(run)
     if not np.isfinite(scene.frames).all():
-        return [Bound("coordinates that are not numbers", float((~np.isfinite(scene.frames)).sum()), 0.5,
-                      "1")]
+        count = float((~np.isfinite(scene.frames)).sum())
+        return [Criterion("coordinates that are not numbers", count, 0.5, "1")]
     strain, stretch = strains(scene)
-    bounds = [Bound("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED,
-                    "of the run"),
-              Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
+    bounds = [("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED, "of the run"),
+              ("mean strain", strain, MEAN_STRAIN, "1"), ("largest stretch", stretch, STRETCH, "1")]
     if not registry.is_prestressed(run.model) and len(scene.time) > 1:  # such springs push at once
-        bounds += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"),
-                   Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
+        bounds += [("speed over v0 + g t", speed(scene), SPEED, "1"),
+                   ("energy gained", energy_gain(scene), ENERGY, "of the scale")]
     if len(scene.pins):
-        moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins],
-                               axis=2).max() / scene.size
-        bounds += [Bound("movement of a pin", moved, ROUNDING, "sizes"),
-                   Bound("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
+        moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins], axis=2).max()
+        bounds += [("movement of a pin", moved / scene.size, ROUNDING, "sizes"),
+                   ("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
     else:
-        bounds.append(Bound("distance from free fall", fall_error(scene), FALL, "of the fall"))
-    return bounds
+        bounds.append(("distance from free fall", fall_error(scene), FALL, "of the fall"))
+    return [Criterion(*bound) for bound in bounds]
 
 
 def strains(scene):
     """(mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁); both are maxima over all frames."""
-    corners = scene.rest[scene.triangles]
-    edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)  # (T, 3, 2)
-    x = edges[:, :, 0] / np.linalg.norm(edges[:, :, 0], axis=1)[:, None]
-    normal = np.cross(edges[:, :, 0], edges[:, :, 1])
-    y = np.cross(normal / np.linalg.norm(normal, axis=1)[:, None], x)
-    flat = np.einsum("tij,tjk->tik", np.stack([x, y], axis=1), edges)
-    inverse = np.linalg.inv(flat)
-    worst, largest = 0.0, 0.0
-    for frame in scene.frames:
-        now = frame[scene.triangles]
-        gradient = np.stack([now[:, 1] - now[:, 0], now[:, 2] - now[:, 0]], axis=2) @ inverse
-        square = np.einsum("tki,tkj->tij", gradient, gradient)
-        mean, off = (square[:, 0, 0] + square[:, 1, 1]) / 2, np.hypot((square[:, 0, 0] - square[:, 1, 1]) / 2,
-                                                                      square[:, 0, 1])
-        high, low = np.sqrt(mean + off), np.sqrt(np.maximum(mean - off, 0))
-        worst = max(worst, float(np.maximum(abs(high - 1), abs(low - 1)).mean()))
-        largest = max(largest, float(high.max()))
-    return worst, largest
+    stretches = principal_stretches(scene.rest, scene.frames, scene.triangles)
+    return float(abs(stretches - 1).max(axis=0).mean(axis=1).max()), float(stretches.max())
 
 
 def speed(scene):
@@ -249,11 +162,9 @@ def speed(scene):
 
 
 def energy_gain(scene):
-    """Rise of kinetic plus potential energy above the start, over the scale of energy (see ENERGY).
-
-    The rise of all energy is at least as large: speeds between frames are means, and the elastic energy is 0
-    at the start and positive later.
-    """
+    """Rise of kinetic plus potential energy above the start, over the scale of energy (see ENERGY). The rise
+    of all energy is at least as large: speeds between frames are means, and the elastic energy is 0 at the
+    start and positive later."""
     weight = np.linalg.norm(scene.gravity)
     height = -(scene.frames @ scene.gravity) @ scene.mass
     kinetic = 0.5 * (np.diff(scene.frames, axis=0) ** 2).sum(axis=2) @ scene.mass / np.diff(scene.time) ** 2
@@ -266,14 +177,14 @@ def beyond_reach(scene):
     """Largest distance of a vertex from its pin, minus (1 + WAY) times the path along edges, in sizes."""
     way, pin = ways_from(scene)
     reached = (way < np.inf) & ~scene.run.pinned
-    distance = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2)
-    return 0.0 if not reached.any() else float(((distance - (1 + WAY) * way)[:, reached]).max() / scene.size)
+    beyond = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2) - (1 + WAY) * way
+    return float(beyond[:, reached].max() / scene.size) if reached.any() else 0.0
 
 
 def ways_from(scene):
     """(V) length of the shortest path along edges to a pin, and (V) index of this pin."""
-    edges = np.sort(scene.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
-    edges = np.unique(edges, axis=0)
+    edges = scene.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    edges = np.unique(np.sort(edges, axis=1), axis=0)
     edges = np.concatenate([edges, edges[:, ::-1]])
     length = np.linalg.norm(scene.rest[edges[:, 0]] - scene.rest[edges[:, 1]], axis=1)
     way, pin = np.full(len(scene.rest), np.inf), np.full(len(scene.rest), scene.pins[0])
@@ -291,8 +202,8 @@ def fall_error(scene):
     """Largest distance of the centre of mass from a free fall in steps of h, over the length of the fall."""
     centre = np.einsum("fvi,v->fi", scene.frames, scene.mass)
     t = scene.time[:, None]
-    exact = centre[0] + t * (scene.mass @ scene.velocity) + fallen(t, scene.h,
-                                                                   scene.second_order) * scene.gravity
+    exact = centre[0] + t * (scene.mass @ scene.velocity)
+    exact += fallen(t, scene.h, scene.second_order) * scene.gravity
     fall = 0.5 * np.linalg.norm(scene.gravity) * scene.time[-1] ** 2
     return float(np.maximum(np.linalg.norm(centre - exact, axis=1) - ROUNDING * scene.size, 0).max() / fall)
 
@@ -311,12 +222,22 @@ NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings that have n
 
 def told_by(run):
     """What the program reports on a run: the status implausible or diverged, or the warnings, or ""."""
-    if run.status in ("implausible", "diverged"):
-        return run.status
-    return ", ".join(dict.fromkeys(warning["code"] for warning in run.warnings
-                                   if warning["code"] not in NO_ANSWER))
+    codes = dict.fromkeys(warning["code"] for warning in run.warnings if warning["code"] not in NO_ANSWER)
+    return run.status if run.status in ("implausible", "diverged") else ", ".join(codes)
+
+
+def verdict_of(status, bounds, told):
+    """The verdict on a run with this status, from its bounds and from what the program reports on it."""
+    if all(bound.holds for bound in bounds):
+        return ALARM if status in ("implausible", "diverged") else SOUND
+    return TOLD if told else SILENT
 
 
 def judge(run, config_name):
-    return Judged(config_name, run, settings_of(run.config), bounds_of(run), told_by(run),
-                  command_of(f"{FOLDER}/{config_name}", run.point))
+    """A run as an object of summary.json."""
+    bounds, told = sorted(bounds_of(run), key=lambda bound: -bound.excess), told_by(run)
+    broken = [bound.name for bound in bounds if not bound.holds]
+    return {"config": config_name, "settings": settings_of(run.config),
+            "verdict": verdict_of(run.status, bounds, told), "status": run.status,
+            "worst": bounds[0].as_json(), "broken": broken, "told": told, "seconds": run.cpu_s,
+            "command": command_of(f"{FOLDER}/{config_name}", run.point)}

@@ -4,7 +4,7 @@
 its most stretched direction, a triangle is σ₁ times as long as at rest. Here σ₁ is computed from the recorded
 positions, and not read from the run file, so that the program's metric can be checked.
 """
-from dataclasses import dataclass
+import itertools
 
 import numpy as np
 
@@ -16,11 +16,15 @@ PER_DOUBLING = 2  # bins of distance; with fewer, the first cells share a bin; w
 USUAL = 0.9  # share of the triangles of a bin that are stretched less than the number Group.usual of the bin
 
 
-def principal_stretch(rest, positions, triangles):
-    """(T) σ₁ of each triangle from (V, 3) positions, (F, T) from (F, V, 3).
+def areas(points, triangles):
+    """(T) areas of the triangles."""
+    a, b, c = points[triangles].swapaxes(0, 1)
+    return np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
 
-    NaN where a triangle has no area at rest.
-    """
+
+def principal_stretches(rest, positions, triangles):
+    """(2, T) σ₁ and σ₂ of each triangle from (V, 3) positions, (2, F, T) from (F, V, 3). NaN where a triangle
+    has no area at rest."""
     a, b, c = triangles.T
     side, slope = rest[b] - rest[a], rest[c] - rest[a]
     length = np.linalg.norm(side, axis=1)
@@ -32,23 +36,21 @@ def principal_stretch(rest, positions, triangles):
         first = (positions[..., b, :] - positions[..., a, :]) / length[:, None]
         second = (positions[..., c, :] - positions[..., a, :] - along[:, None] * first) / height[:, None]
         s11, s22, s12 = ((x * y).sum(axis=-1) for x, y in ((first, first), (second, second), (first, second)))
-        # The larger eigenvalue of FᵀF
-        largest = np.sqrt((s11 + s22 + np.hypot(s11 - s22, 2 * s12)) / 2)
-    return np.where(height > 1e-9 * length, largest, np.nan)  # relative: no unit of length
+        # The eigenvalues of FᵀF
+        apart = np.hypot(s11 - s22, 2 * s12)
+        stretches = np.sqrt(np.maximum([s11 + s22 + apart, s11 + s22 - apart], 0) / 2)
+    return np.where(height > 1e-9 * length, stretches, np.nan)  # relative: no unit of length
 
 
 def ring_of(triangles, centre, count):
     """(V) number of edges from `centre` to every vertex, breadth-first."""
     distance = np.full(count, -1)
     distance[centre] = 0
-    ring = 0
-    while True:
-        here = distance == ring
-        touched = np.unique(triangles[here[triangles].any(axis=1)])
+    for ring in itertools.count(1):
+        touched = np.unique(triangles[(distance[triangles] == ring - 1).any(axis=1)])
         new = touched[distance[touched] < 0]
         if not len(new):
             return distance
-        ring += 1
         distance[new] = ring
 
 
@@ -61,15 +63,23 @@ def distance_from_pins(rest, triangles, pinned):
     return distance
 
 
-@dataclass
 class Stretched:
-    """The triangles of a run that can move, in the last simulated second. Lengths in m."""
+    """The triangles of a run that can move, in the last simulated second. Lengths in m. Triangles whose three
+    corners are pinned are left out: they cannot stretch."""
 
-    distance: np.ndarray  # (T) at rest, from the nearest pinned vertex
-    ring: np.ndarray  # (T) edges from the pinned vertices to the triangle's farthest corner
-    excess: np.ndarray  # (F, T) σ₁ − 1; ∞ where it is not finite
-    cell: float  # side of a cell at rest
-    disagreement: float  # largest relative difference between the largest σ₁ of a frame and the run's metric
+    def __init__(self, run):
+        rest, triangles, pinned, frames = run.rest_positions, run.triangles, run.pinned, run.last_second()
+        free = triangles[~pinned[triangles].all(axis=1)]
+        stretch = principal_stretches(rest, run.trajectory(frames), free)[0]
+        stretch = np.where(np.isfinite(stretch), stretch, np.inf)
+        recorded = run.metrics["max_stretch"][frames]
+        self.excess = stretch - 1  # (F, T) σ₁ − 1; ∞ where it is not finite
+        self.distance = distance_from_pins(rest, free, pinned)  # (T) at rest, from the nearest pinned vertex
+        # (T) edges from the pinned vertices to the triangle's farthest corner
+        self.ring = ring_of(triangles, pinned, len(rest))[free].max(axis=1)
+        self.cell = run.get("/mesh/width", 1) / run.get("/mesh/cells")  # side of a cell at rest
+        # Largest relative difference between the largest σ₁ of a frame and the run's metric
+        self.disagreement = float(np.abs(stretch.max(axis=1) / recorded - 1).max())
 
     def largest(self, where=slice(None)):
         """Largest σ₁ − 1 of the chosen triangles, median over the frames."""
@@ -86,28 +96,11 @@ class Stretched:
         return self.excess.argmax(axis=1)
 
     def over_distance(self, edges, share=1.0):
-        """(B) quantile `share` of σ₁ − 1 among the triangles of each bin, median over frames.
-
-        NaN: no triangle.
-        """
+        """(B) quantile `share` of σ₁ − 1 among the triangles of each bin, median over frames; NaN without
+        triangles."""
         bins = np.digitize(self.distance, edges) - 1
         return np.array([np.median(np.quantile(self.excess[:, bins == i], share, axis=1))
                          if (bins == i).any() else np.nan for i in range(len(edges) - 1)])
-
-
-def stretched(run):
-    """The Stretched of a run. Triangles whose three corners are pinned are left out: they cannot stretch."""
-    rest, triangles, pinned = run.rest_positions, run.triangles, run.pinned
-    frames = run.last_second()
-    free = triangles[~pinned[triangles].all(axis=1)]
-    positions = np.stack([run.positions(frame) for frame in frames])
-    stretch = principal_stretch(rest, positions, free)
-    stretch = np.where(np.isfinite(stretch), stretch, np.inf)
-    recorded = run.metrics["max_stretch"][frames]
-    return Stretched(distance_from_pins(rest, free, pinned),
-                     ring_of(triangles, pinned, len(rest))[free].max(axis=1), stretch - 1,
-                     run.get("/mesh/width", 1) / run.get("/mesh/cells"),
-                     float(np.max(np.abs(stretch.max(axis=1) / recorded - 1))))
 
 
 def bin_edges(smallest, largest):
@@ -118,29 +111,33 @@ def bin_edges(smallest, largest):
     return 2.0 ** (np.arange(first, last + 1) / PER_DOUBLING)
 
 
-@dataclass
 class Group:
-    """Runs that differ only in their seed. Distances in m; stretch is σ₁ − 1."""
+    """Runs that differ only in their seed. Distances in m; stretch is σ₁ − 1; a Spread is over seeds."""
 
-    n: int  # cells per side
-    cell: float  # side of a cell
-    status: dict  # verdict → runs
-    near: object  # Spread: largest within NEAR cells of a pinned vertex
-    far: object  # Spread: largest farther away
-    whole: object  # Spread: largest anywhere
-    place: object  # Spread: distance of the most stretched triangle from the nearest pinned vertex
-    range: tuple  # 10 % and 90 % quantiles of this distance, over frames and seeds
-    ring: float  # edges from pinned vertices to this triangle's farthest corner; median, frames and seeds
-    rings: tuple  # 10 % and 90 % quantiles of this number
-    reach: float  # ring at which the springs of pinned vertices end (n of eq. 7); NaN without n
-    worst: list  # (B) Spreads: largest in each bin of distance
-    usual: np.ndarray  # (B) quantile USUAL in each bin, median over seeds
-    edges: np.ndarray  # (B + 1)
-    disagreement: float
-
-    @property
-    def middles(self):
-        return np.sqrt(self.edges[1:] * self.edges[:-1])
+    def __init__(self, runs):
+        parts = [Stretched(run) for run in runs]
+        ends = lambda numbers: tuple(np.quantile(numbers, [0.1, 0.9]))
+        self.n, self.cell, self.status = runs[0].get("/mesh/cells"), parts[0].cell, statuses(runs)
+        # Spreads of the largest stretch within NEAR cells of a pinned vertex, farther away, and anywhere
+        self.near = spread([part.largest(part.at_pin) for part in parts])
+        self.far = spread([part.largest(~part.at_pin) for part in parts])
+        self.whole = spread([part.largest() for part in parts])
+        # Distance of the most stretched triangle from the nearest pinned vertex: Spread, and 10 % and 90 %
+        # quantiles over frames and seeds
+        places = [part.distance[part.worst] for part in parts]
+        self.place, self.range = spread([np.median(place) for place in places]), ends(np.concatenate(places))
+        # Edges from pinned vertices to this triangle's farthest corner: median and these quantiles
+        rings = np.concatenate([part.ring[part.worst] for part in parts])
+        self.ring, self.rings = float(np.median(rings)), ends(rings)
+        # Ring at which the springs of pinned vertices end (n of eq. 7); NaN without n
+        self.reach = summary_spread(runs, "model_n").median
+        # Bins of distance: middles, Spreads of the largest stretch, quantiles USUAL (median over seeds)
+        distances = np.concatenate([part.distance for part in parts])
+        edges = bin_edges(distances.min(), distances.max())
+        self.middles = np.sqrt(edges[1:] * edges[:-1])
+        self.worst = list(map(spread, zip(*(part.over_distance(edges) for part in parts))))
+        self.usual = np.median([part.over_distance(edges, USUAL) for part in parts], axis=0)
+        self.disagreement = max(part.disagreement for part in parts)
 
     @property
     def in_cells(self):
@@ -150,23 +147,3 @@ class Group:
     @property
     def failed(self):
         return self.whole.median > WRONG
-
-
-def measure(runs):
-    """Measures these runs, which differ only in their seed."""
-    parts = [stretched(run) for run in runs]
-    edges = bin_edges(min(part.distance.min() for part in parts), max(p.distance.max() for p in parts))
-    of = lambda value: spread([value(part) for part in parts])
-    middle = lambda numbers: tuple(np.quantile(numbers, [0.1, 0.9]))
-    worst = np.array([part.over_distance(edges) for part in parts])
-    usual = np.array([part.over_distance(edges, USUAL) for part in parts])
-    places, rings = (np.concatenate([getattr(part, name)[part.worst] for part in parts])
-                     for name in ("distance", "ring"))
-    return Group(n=runs[0].get("/mesh/cells"), cell=parts[0].cell, status=statuses(runs),
-                 near=of(lambda part: part.largest(part.at_pin)),
-                 far=of(lambda part: part.largest(~part.at_pin)), whole=of(lambda part: part.largest()),
-                 place=of(lambda part: np.median(part.distance[part.worst])), range=middle(places),
-                 ring=float(np.median(rings)), rings=middle(rings),
-                 reach=summary_spread(runs, "model_n").median, worst=[spread(column) for column in worst.T],
-                 usual=np.median(usual, axis=0), edges=edges,
-                 disagreement=max(part.disagreement for part in parts))

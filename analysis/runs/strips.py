@@ -1,9 +1,12 @@
 """Runs of clamped strips and their theoretical curves, for all figures of stiffness."""
 import numpy as np
 
-from tables import looks
 from bendlab.results import registry
+from runs.stretch import areas
 from runs.sweeps import load_experiment
+from tables import looks
+from tables.numbers import slope
+from tables.section import Check
 
 GRAVITY = 9.81  # m/s², as in the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
@@ -12,10 +15,8 @@ UNBALANCED = 0.005  # share of the loads; a static run with a larger unbalanced 
 
 
 def experiment_runs(results, section, *names):
-    """Complete runs of configs/stiffness/<name>.json, without static runs whose forces are not balanced.
-
-    Adds to the section: commands, missing points, and the number of runs that are left out.
-    """
+    """Complete runs of configs/stiffness/<name>.json, without static runs whose forces are not balanced. Adds
+    to the section: commands, missing points, and the number of runs that are left out."""
     runs = []
     for name in names:
         complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}"))
@@ -38,8 +39,29 @@ def cells(run):
     return run.get("/mesh/cells")
 
 
+def mesh_kind(run):
+    """The kind of a run's mesh as text."""
+    return MESH_NAMES.get(family(run), family(run))
+
+
 def mesh_name(run):
-    return f"{MESH_NAMES.get(family(run), family(run))}, {cells(run)} cells"
+    return f"{mesh_kind(run)}, {cells(run)} cells"
+
+
+def cells_range(runs):
+    """(cells of the coarsest mesh, cells of the finest mesh)"""
+    return min(map(cells, runs)), max(map(cells, runs))
+
+
+def meshes_name(runs):
+    """The meshes of runs with one kind of mesh, as text."""
+    coarsest, finest = cells_range(runs)
+    return f"{mesh_kind(runs[0])}, {coarsest} to {finest} cells"
+
+
+def check(run, name, *numbers, model="", **more):
+    """A check of a number of a run; `numbers` and `more` are the other arguments of Check."""
+    return Check(name, model or run.model, mesh_name(run), *numbers, **more)
 
 
 def model_name(run):
@@ -53,6 +75,11 @@ def gravity(run):
 def number(run, name):
     """A metric of a run; NaN if the run lacks the metric."""
     return run.summary.get(name, np.nan)
+
+
+def fit(run, name):
+    """B, C or the exponent of the fit of moment against curvature."""
+    return number(run, f"stiffness_fit_{name}")
 
 
 def droop(run):
@@ -78,16 +105,19 @@ def measured(run):
     return number(run, "stiffness_quartic") if registry.has_springs_at_rest(run.model) else rigidity(run)
 
 
+def share_of_droop(run):
+    """Stiffness from H/W over the stated stiffness."""
+    return measured(run) / stated(run)
+
+
 def load_number(run, flexural_rigidity):
     """Γ = ρ g L³/B for this B; L is the effective length, from a point behind the clamp's edge."""
     return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
 
 
 def elastica_droop(loads):
-    """H/W of the heavy elastica (a strip that bends under its weight) for Γ = loads.
-
-    Solves B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 by Runge-Kutta and bisection.
-    """
+    """H/W of the heavy elastica (a strip that bends under its weight) for Γ = loads. Solves
+    B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 by Runge-Kutta and bisection."""
     loads = np.asarray(loads, float)
     steps = 400
     h = 1 / steps
@@ -123,10 +153,9 @@ def elastica_droop(loads):
 def ring_pairs(triangles, count, ring):
     """(S, 2) vertex pairs that are exactly `ring` edges apart."""
     neighbours = [set() for _ in range(count)]
-    for a, b, c in triangles:
-        neighbours[a] |= {b, c}
-        neighbours[b] |= {a, c}
-        neighbours[c] |= {a, b}
+    for triangle in triangles.tolist():
+        for corner in triangle:
+            neighbours[corner].update(triangle)
     pairs = []
     for vertex in range(count):
         seen = front = {vertex}
@@ -139,28 +168,23 @@ def ring_pairs(triangles, count, ring):
 
 def expected_quartic(rest, triangles, pinned, ring, stiffness):
     """C in N m³ of an equilateral lattice with springs to one ring and rows across the strip. `stiffness`:
-    stiffness of a spring in N/m.
-
-    The sheet bends as a polyhedral cylinder: rows of vertices are h apart and stay straight, and the strip
-    turns by κh at each row. A spring of length l over n rows shortens by n² (n² - 1) h⁴ κ² / 24 l. The energy
-    of all springs per area is C κ⁴ / 4. Springs end at the free sides, so that C is smaller than on an
-    infinite lattice. Only springs away from the clamp and the free end count.
-    """
+    stiffness of a spring in N/m. The sheet bends as a polyhedral cylinder: rows of vertices are h apart and
+    stay straight, and the strip turns by κh at each row. A spring of length l over n rows shortens by
+    n² (n² - 1) h⁴ κ² / 24 l. The energy of all springs per area is C κ⁴ / 4. Springs end at the free sides,
+    so that C is smaller than on an infinite lattice. Only springs away from the clamp and the free end
+    count."""
     pairs = ring_pairs(triangles, len(rest), ring)
     rows = np.unique(np.round(rest[:, 0], 7))
     h = (rows[-1] - rows[0]) / (len(rows) - 1)
     clamp, length = rest[pinned, 0].max(), rest[:, 0].max() - rest[pinned, 0].max()
-    corners = rest[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
-                          axis=1).sum() / 2
-    width = area / (rows[-1] - rows[0])
+    width = areas(rest, triangles).sum() / (rows[-1] - rows[0])
     ends = np.sort(rest[pairs][:, :, 0], axis=1) - clamp
     spanned = np.round((ends[:, 1] - ends[:, 0]) / h)
     at_rest = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
     shortening = spanned**2 * (spanned**2 - 1) * h**4 / (24 * at_rest)
     low, high = ring * h, length - ring * h
-    inside = np.clip(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0,
-                     None) / np.maximum(ends[:, 1] - ends[:, 0], h / 2)
+    inside = np.maximum(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0)
+    inside /= np.maximum(ends[:, 1] - ends[:, 0], h / 2)
     return 2 * stiffness * float((shortening**2 * inside).sum()) / ((high - low) * width)
 
 
@@ -170,10 +194,15 @@ def largest_ratio(values):
     return float(values.max() / values.min()) if len(values) > 1 else np.nan
 
 
-def power(runs):
-    """The exponent p of H/W ∝ g^p, from a fit to these runs."""
-    return float(np.polyfit(np.log([gravity(run) for run in runs]), np.log([droop(run) for run in runs]),
-                            1)[0])
+def exponent(runs):
+    """The exponent p of H/W ∝ g^p (g: gravity), from the runs with H/W below 0.3; NaN for fewer than two."""
+    small = [run for run in runs if droop(run) < 0.3]
+    return slope(list(map(gravity, small)), list(map(droop, small)))
+
+
+def exponent_check(name, runs, expected, source):
+    return Check("slope of ln H/W over ln g at H/W < 0.3", name, mesh_name(runs[0]), expected, exponent(runs),
+                 0.02, source, "absolute")
 
 
 def as_stated(*columns):

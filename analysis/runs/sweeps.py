@@ -1,5 +1,4 @@
-"""The runs of a config and its missing runs, from the sweep file that `bendlab run` writes beside the
-runs."""
+"""The runs of a config and its missing runs, from the sweep file that `bendlab run` writes beside them."""
 import copy
 import itertools
 import json
@@ -39,10 +38,8 @@ class Experiment:
 
 def load_experiment(results, config):
     """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
-
     `bendlab run` lists the runs in <config>.sweep.json in the same folder. If there are only trials of the
-    config (runs with --set), the newest trial is loaded, and `absent` states this.
-    """
+    config (runs with --set), the newest trial is loaded, and `absent` states this."""
     settings = read_config(config)
     folder = Path(results) / settings["name"]
     axes = settings.get("sweep", {})
@@ -69,10 +66,19 @@ def load_experiment(results, config):
             run.point, run.experiment = entry["point"], config
             experiment.runs.append(run)
         if not run or not run.over:
-            experiment.missing.append(", ".join(f"{pointer} {value}"
-                                                for pointer, value in entry["point"].items()))
+            point = ", ".join(f"{pointer} {value}" for pointer, value in entry["point"].items())
+            experiment.missing.append(point)
     indices.write()
     return experiment
+
+
+def used_runs(section, results, *configs):
+    """The runs of these configs. The section names the configs, except those that only --full computes."""
+    runs = []
+    for config in configs:
+        experiment = load_experiment(results, config)
+        runs += experiment.runs if config.endswith("_full") else section.uses(experiment)
+    return runs
 
 
 def read_config(config):
@@ -87,24 +93,15 @@ def planned_points(settings, axes):
     for values in itertools.product(*axes.values()):
         point = dict(zip(axes, values))
         model = point.get("/bending/model") or point.get("/bending", settings["bending"])["model"]
-        applies = lambda pointer: pointer.count("/") < 3 or not pointer.startswith("/bending/") \
-            or pointer.startswith(f"/bending/{model}/")
-        point = {pointer: value for pointer, value in point.items() if applies(pointer)}
+        point = {pointer: value for pointer, value in point.items() if pointer.count("/") < 3
+                 or not pointer.startswith("/bending/") or pointer.startswith(f"/bending/{model}/")}
         points.setdefault(point_key(point), point)
     return list(points.values())
 
 
 def point_key(point):
     """A text that is the same for equal points, where 0 equals 0.0."""
-    return json.dumps(_plain(point), sort_keys=True)
-
-
-def _plain(value):
-    if isinstance(value, dict):
-        return {key: _plain(entry) for key, entry in value.items()}
-    if isinstance(value, list):
-        return [_plain(entry) for entry in value]
-    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+    return json.dumps(json.loads(json.dumps(point), parse_int=float), sort_keys=True)
 
 
 def planned_runs(experiment):
@@ -131,6 +128,11 @@ def settings_at(settings, point):
             node = node[int(key)] if isinstance(node, list) else node.setdefault(key, {})
         node[int(last) if isinstance(node, list) else last] = copy.deepcopy(value)
     return settings
+
+
+def is_number(value):
+    """Whether a value of JSON is a number."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
 def _sweep_file(folder, name):

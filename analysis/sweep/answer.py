@@ -1,13 +1,13 @@
 """The top of a page of runs: the answer, the number of runs with each verdict, and what went wrong."""
-from tables.numbers import number_text
 from collections import Counter
 
 import numpy as np
 
+from bendlab.results.load import group
 from runs import expectations
-from sweep import run_facts
-from sweep import charts
-from web.html_parts import escape
+from sweep import charts, run_facts
+from tables.numbers import number_text
+from web.html_parts import element, escape
 
 ORDER = ["complete", "running", "implausible", "diverged", "interrupted", "unreadable", "missing"]
 
@@ -21,10 +21,10 @@ def top_html(report):
             f"{_going_on(report)}{''.join(_trouble(report))}")
 
 
-def status_html(status, text=None):
+def status_html(status, text=""):
     """A status as HTML, in the style of its kind. The status "unreadable" has the style of a failure."""
     kind = "fails" if status == "unreadable" else status
-    return f"<span class='status {kind}'>{escape(text or status)}</span>"
+    return element("span", escape(text or status), class_=f"status {kind}")
 
 
 def _answer(report):
@@ -33,20 +33,20 @@ def _answer(report):
     if report.live:
         return "The page follows this run while it is computed."
     done = sum(run.complete for run in runs)
-    if count == 1:
+    if count > 1:
+        text = spaced(count) + " runs" + (f", {spaced(done)} of them complete" if done < count else "")
+    else:
         text = f"One run, {runs[0].status}"
         if runs[0].frames:
             seconds = number_text(charts.simulated_s(runs[0]))
             text += f": {seconds} s of cloth in {runs[0].frames} frames"
-    else:
-        text = spaced(count) + " runs" + (f", {spaced(done)} of them complete" if done < count else "")
     extremes = _extremes(report)
     if extremes:
-        number, low, high = extremes
+        number, *ends = extremes
         unit = "" if number["unit"] in ("", "1") else f" {number['unit']}"
-        value_html = lambda run: (f"<b>{escape(number_text(run.summary[number['name']]) + unit)}</b> "
-                                  f"({escape(report.labels[run.id])})")
-        text += f". The {escape(number['label'])} goes from {value_html(low)} to {value_html(high)}"
+        low, high = (f"<b>{escape(number_text(run.summary[number['name']]) + unit)}</b> "
+                     f"({escape(report.labels[run.id])})" for run in ends)
+        text += f". The {escape(number['label'])} goes from {low} to {high}"
     return text + "."
 
 
@@ -70,7 +70,8 @@ def _tally(report):
     if checked:
         kind = "holds" if all(checked) else "fails"
         yield f"<li>{status_html(kind, f'{sum(checked)} of {len(checked)} expectations hold')}</li>"
-    given = Counter(code for run in report.runs for code in {warning["code"] for warning in run.warnings})
+    given = Counter(code for run in report.runs
+                    for code in sorted({warning["code"] for warning in run.warnings}))
     for code, count in given.items():
         yield f"<li><b>{count}</b> with the warning {escape(code)}</li>"
 
@@ -93,19 +94,15 @@ def _trouble(report):
             more = f" {rest} more with this status: see <a href='#runs'>the runs</a>." if rest else ""
             yield (f"<div class='note {kind}'><p>{status_html(status)} {link(failed[0])}: "
                    f"{escape(run_facts.why(failed[0]))}{more}</p></div>")
-    given = {}
-    for run in report.runs:
-        for warning in run.warnings:
-            given.setdefault(warning["code"], []).append((run, warning["message"]))
-    for code, warned in given.items():
-        run, message = warned[0]
-        more = f" (and {len(warned) - 1} more)" if len(warned) > 1 else ""
+    warnings = [(run, warning) for run in report.runs for warning in run.warnings]
+    for code, alike in group(warnings, lambda entry: entry[1]["code"]).items():
+        run, message = alike[0][0], alike[0][1]["message"]
+        more = f" (and {len(alike) - 1} more)" if len(alike) > 1 else ""
         end = "" if message.endswith((".", "!", "?")) else "."
         yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: "
                f"{escape(message)}{end}</p></div>")
-    for sweep in report.sweeps:
-        for note in sweep.notes:
-            yield f"<div class='note'><p>{escape(note)}.</p></div>"
+    for note in (note for sweep in report.sweeps for note in sweep.notes):
+        yield f"<div class='note'><p>{escape(note)}.</p></div>"
 
 
 def spaced(count):

@@ -1,31 +1,26 @@
-"""Serves the page of a run that is being computed, at 127.0.0.1, under an address with a random part.
-
-The page asks for new frames, which are read from the unfinished file of the run. A request with another path
-or host name gets the status 404; a request with another method than GET gets 405. Ctrl-C ends the server.
-"""
-import argparse
+"""The page of a run that is being computed, and the answers to a browser that shows this page (live.py)."""
+import contextlib
 import json
 import secrets
 import shutil
-import signal
 import tempfile
 import threading
 import time
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
-import numpy as np
-
-from draw import frame_coding
-from sweep import browser
-from runs.collected import Sweep, tell
 from bendlab.results.load import load_run
+from runs.collected import Sweep
 from sweep.report import WATCHED_LIMIT, Report
 
 POLL_S = 1.0  # time between two requests of the page, s
 REST = 1  # seconds until the file is read again, per second that the last reading took
+# The most frames of a page: fewer for a finer mesh, so that the page is made quickly.
 MOST_PLACES = 300_000  # vertices times frames of a page; more would take longer than a second or two
 FEWEST, MOST = 30, 240  # frames, whatever the mesh
+NOTHING, NOT_YET = b"There is nothing here.\n", b"The run has no frame yet: reload the page in a moment.\n"
+HEADERS = {"Cache-Control": "no-store", "X-Content-Type-Options": "nosniff", "Referrer-Policy": "no-referrer",
+           "X-Frame-Options": "DENY", "Cross-Origin-Resource-Policy": "same-origin"}
 
 
 class LiveRun:
@@ -50,11 +45,9 @@ class LiveRun:
         with self._turn:
             begin = time.monotonic()
             if begin >= self._not_before:
-                try:
+                # an error if the file is being written; the next call reads it again
+                with contextlib.suppress(OSError, KeyError, ValueError):
                     self._read_new()
-                # the file is being written; the next call reads it again
-                except (OSError, KeyError, ValueError):
-                    pass
                 end = time.monotonic()
                 self._not_before = end + REST * (end - begin)
             return self._report
@@ -75,28 +68,15 @@ class LiveRun:
                 return
             run.status = "running" if file.suffix == ".part" else run.status
             sweep = Sweep(run.name, self._place, [run], files={run.id: file})
-            report = Report([sweep], self._command, (), WATCHED_LIMIT, most_frames(run))
+            most = MOST_PLACES // max(len(run.rest_positions), 1)
+            report = Report([sweep], self._command, (), WATCHED_LIMIT, max(FEWEST, min(most, MOST)))
             report.live_page = report.html(live={"every": POLL_S, "frames": run.frames})
-            report.news = self._news(report, run)
-        self._report, self._seen = report, seen
-
-    @staticmethod
-    def _news(report, run):
-        """The data that an open page needs to show the new frames."""
-        entry = report.playback.data["runs"][0]
-        return {"frames": run.frames, "time": float(run.metrics["time"][-1]), "status": run.status,
-                "duration": run.get("/duration"), "run": entry, "scripts": frames_of(report.playback.scripts),
+            text = report.playback.scripts.partition(">")[2].removesuffix("</script>")  # base64
+            report.news = {  # the data that an open page needs to show the new frames
+                "frames": run.frames, "time": float(run.metrics["time"][-1]), "status": run.status,
+                "duration": run.get("/duration"), "run": report.playback.data["runs"][0], "scripts": text,
                 "chart": next((chart for chart in report.charts if chart["id"] == "over-time"), None)}
-
-
-def most_frames(run):
-    """The largest number of frames of a page: smaller for a finer mesh, so that the page is made quickly."""
-    return int(np.clip(MOST_PLACES // max(len(run.rest_positions), 1), FEWEST, MOST))
-
-
-def frames_of(script):
-    """The base64 text of frames, without the script element around it."""
-    return script[script.index(">") + 1:script.rindex("</script>")] if "</script>" in script else ""
+        self._report, self._seen = report, seen
 
 
 def handler_of(live, token):
@@ -109,15 +89,13 @@ def handler_of(live, token):
         def do_GET(self):
             path, _, query = self.path.partition("?")
             hosts = [f"{name}:{self.server.server_port}" for name in ("127.0.0.1", "localhost")]
-            host_known = self.headers.get("Host") in hosts
             asked = [part.encode() for part in path.split("/")]
             known = len(asked) == 3 and secrets.compare_digest(asked[1], token.encode())
-            if not (host_known and known and asked[2] in (b"", b"frames")):
-                return self._answer(404, "text/plain", b"There is nothing here.\n")
+            if not (known and self.headers.get("Host") in hosts and asked[2] in (b"", b"frames")):
+                return self._answer(404, "text/plain", NOTHING)
             report = live.report()
             if report is None:
-                text = b"The run has no frame yet: reload the page in a moment.\n"
-                return self._answer(503, "text/plain", text)
+                return self._answer(503, "text/plain", NOT_YET)
             if asked[2] == b"":
                 return self._answer(200, "text/html; charset=utf-8", report.live_page.encode())
             if query == f"have={report.news['frames']}-{report.news['status']}":
@@ -126,58 +104,16 @@ def handler_of(live, token):
 
         def _answer(self, code, kind, body):
             self.send_response(code)
-            self.send_header("Content-Type", kind)
-            self.send_header("Content-Length", str(len(body)))
-            for name, value in (("Cache-Control", "no-store"), ("X-Content-Type-Options", "nosniff"),
-                                ("Referrer-Policy", "no-referrer"), ("X-Frame-Options", "DENY"),
-                                ("Cross-Origin-Resource-Policy", "same-origin")):
+            for name, value in ({"Content-Type": kind, "Content-Length": str(len(body))} | HEADERS).items():
                 self.send_header(name, value)
             self.end_headers()
             self.wfile.write(body)
 
         def send_error(self, code, message=None, explain=None):
             self.close_connection = True
-            self._answer(405 if code == 501 else code, "text/plain", b"There is nothing here.\n")
+            self._answer(405 if code == 501 else code, "text/plain", NOTHING)
 
         def log_message(self, *_):
             pass
 
     return Handler
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("run", type=Path, help="the run's folder or its unfinished file")
-    parser.add_argument("--command", default="", help="the command that the page states as its origin")
-    parser.add_argument("--open", action="store_true", help="open the page in the browser")
-    parser.add_argument("--play", action="append", default=[], help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    frame_coding.compress_quickly()
-    live = LiveRun(arguments.run, arguments.command)
-    if live.file() is None:
-        tell(f"there is no run in {arguments.run}: start the run first, then watch it")
-        return 2
-    token = secrets.token_urlsafe(24)
-    server = ThreadingHTTPServer(("127.0.0.1", 0), handler_of(live, token))
-    server.daemon_threads = True
-    address = f"http://127.0.0.1:{server.server_port}/{token}/"
-    print(address, flush=True)
-    tell("Ctrl-C ends the server")
-    if arguments.open and not browser.opened(address):
-        tell("there is no browser to open the page in: open the address yourself")
-    try:
-        for number in (signal.SIGINT, signal.SIGTERM):  # also if the shell told this process to ignore SIGINT
-            signal.signal(number, _stop)
-        server.serve_forever()
-    except _Stopped as stopped:
-        return 128 + stopped.args[0]
-    finally:
-        server.server_close()
-
-
-class _Stopped(Exception):
-    """A signal ended the server; the argument is the number of the signal."""
-
-
-def _stop(number, _):
-    raise _Stopped(number)

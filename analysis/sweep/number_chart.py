@@ -4,11 +4,12 @@ import math
 
 import numpy as np
 
-from draw.chart_files import scale_of
-from tables import looks
 from bendlab.results.load import group
-from runs.axes import is_number, label_of
-from sweep.charts import CPU, about_number, number_of
+from draw.chart_files import scale_of
+from runs.axes import label_of
+from runs.sweeps import is_number
+from sweep.charts import CPU, about_number, described, number_of, own_looks
+from tables import looks
 from tables.numbers import shortened
 
 OF_A_RUN = {"cpu_s": ("CPU time of the run", "s"), "step_cpu_s": ("CPU time of the steps", "s"),
@@ -32,9 +33,7 @@ def value_of(run, name):
 def about(name, meanings):
     """{name, label, unit, meaning} of a metric or a setting."""
     if name.startswith("/"):
-        unit, meaning = meanings.setting(name)
-        return {"name": name, "label": name.rsplit("/", 1)[1].replace("_", " "), "unit": unit,
-                "meaning": meaning}
+        return described(name, *meanings.setting(name), name.rsplit("/", 1)[1].replace("_", " "))
     description = about_number(name, meanings)
     if name in OF_A_RUN:
         description["label"], description["unit"] = OF_A_RUN[name]
@@ -52,21 +51,23 @@ def number_chart(sweep, axes, x, y, command, name):
     axes = [axis for axis in axes if not axis.is_seed]
     along = max((axis for axis in axes if axis.numeric), key=lambda axis: len(axis.values), default=None)
     curve_axes = [axis for axis in axes if axis is not along]
+    by_model = len(curve_axes) == 1 and own_looks(curve_axes[0])
     series = []
     for same_curve in group(runs, lambda run: tuple(axis.place(run) for axis in curve_axes)).values():
         points = _points(same_curve, along, x, y)
         if points:
             label = label_of(same_curve[0], curve_axes) if curve_axes else sweep.name
-            series.append(_series(label, _look(curve_axes, same_curve, len(series)), points, y))
+            look = looks.of_model(same_curve[0].model) if by_model else looks.of_place(len(series))
+            xs, ys, ids, texts = map(list, zip(*points))
+            series.append({"label": label, "look": look, "x": [shortened(value) for value in xs],
+                           "y": {y: [shortened(value) for value in ys]}, "runs": ids, "texts": texts})
     if not series:
         return None
-    about_y = about(y, sweep.meanings)
-    about_x = about(x, sweep.meanings)
-    every_x = [value for curve in series for value in curve["x"]]
+    about_x, about_y = about(x, sweep.meanings), about(y, sweep.meanings)
+    about_x["scale"] = scale_of([value for curve in series for value in curve["x"]])
     return {"id": name, "kind": "lines", "title": f"{about_y['label']} against {about_x['label']}",
             "note": f"A curve joins runs that differ in {along.label}." if along else "",
-            "texts": along.label if along else "",
-            "x": about_x | {"scale": scale_of(every_x)}, "ys": [about_y], "choice": 0,
+            "texts": along.label if along else "", "x": about_x, "ys": [about_y], "choice": 0,
             "series": series, "command": command, "held": [], "limits": [], "dodge": False}
 
 
@@ -75,25 +76,12 @@ def _points(runs, along, x, y):
     runs with this value."""
     points = []
     for same_place in group(runs, lambda run: along.place(run) if along else run.id).values():
-        at = [(value_of(run, x), value_of(run, y), run.id) for run in same_place]
-        known = [(a, b) for a, b, _ in at if math.isfinite(a) and math.isfinite(b)]
+        pairs = [(value_of(run, x), value_of(run, y)) for run in same_place]
+        known = [pair for pair in pairs if all(map(math.isfinite, pair))]
         if known:
-            points.append((*map(float, np.median(known, axis=0)), [id for *_, id in at],
+            points.append((*map(float, np.median(known, axis=0)), [run.id for run in same_place],
                            along.text(same_place[0]) if along else ""))
     return sorted(points, key=lambda point: point[:2])
-
-
-def _series(label, look, points, y):
-    return {"label": label, "look": look, "x": [shortened(point[0]) for point in points],
-            "y": {y: [shortened(point[1]) for point in points]}, "runs": [point[2] for point in points],
-            "texts": [point[3] for point in points]}
-
-
-def _look(axes, runs, number):
-    """The style of a curve: by model if all curves have different models, otherwise by the curve's number."""
-    if len(axes) == 1 and axes[0].models and len(set(axes[0].models)) == len(axes[0].models):
-        return looks.of_model(runs[0].model)
-    return looks.of_place(number)
 
 
 def _unknown(name, runs):

@@ -9,8 +9,8 @@ from runs import repeat
 from runs.collected import differing, flattened
 from runs.expectations import check
 from sweep.charts import cpu_ms, simulated_s
-from tables.numbers import shortened
 from tables.numbers import number_text as number
+from tables.numbers import shortened
 
 
 def worst(run, sweep):
@@ -69,11 +69,8 @@ def in_short(run):
     if not run.frames:
         return ""
     ms = cpu_ms(run)
-    parts = [f"{run.frames} frames, {number(simulated_s(run))} s"]
-    if ms == ms:
-        parts.append(f"{number(ms)} ms of CPU per 1/60 s")
-    parts.append(run.id)
-    return " · ".join(parts)
+    cost = "" if math.isnan(ms) else f" · {number(ms)} ms of CPU per 1/60 s"
+    return f"{run.frames} frames, {number(simulated_s(run))} s{cost} · {run.id}"
 
 
 def command(run, sweep):
@@ -91,30 +88,23 @@ def view_command(run, sweep):
 
 def shown_path(path):
     """A path as the user would type it in the current folder."""
-    path = Path(path)
-    try:
-        return str(path.resolve().relative_to(Path.cwd()))
-    except ValueError:
-        return str(path)
+    path, here = Path(path), Path.cwd()
+    return str(path.resolve().relative_to(here) if path.resolve().is_relative_to(here) else path)
 
 
 class Settings:
     """The configs of many runs: one base config for the page, and what differs from the base for each run."""
 
     def __init__(self, runs):
-        flat = {run.id: flattened(run.config) for run in runs if run.config}
+        self._own = {run.id: flattened(run.config) for run in runs if run.config}
         values = {}
-        for config in flat.values():
+        for config in self._own.values():
             for pointer, value in config.items():
                 values.setdefault(pointer, Counter())[json.dumps(value)] += 1
         self.base = {pointer: json.loads(counts.most_common(1)[0][0]) for pointer, counts in values.items()
-                     if sum(counts.values()) > len(flat) / 2}
-        self._flat = flat
+                     if counts.total() > len(self._own) / 2}
 
     def changes(self, run):
         """Pointer → [value] of each setting that differs from the base config; None instead of [value] if the
         run's config lacks the setting."""
-        own = self._flat.get(run.id)
-        if own is None:
-            return None
-        return differing(self.base, own)
+        return differing(self.base, self._own[run.id]) if run.id in self._own else None

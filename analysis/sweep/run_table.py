@@ -1,18 +1,22 @@
-"""The table of all runs of a page, and the data of each run for the page's scripts."""
+"""All runs of a page: their table, the data of each run for the page's scripts, and the data of the part of
+the page that shows all runs at once (its explorer)."""
 import shlex
 
 import numpy as np
 
-from tables.numbers import number_text
+from bendlab.results.load import group
 from runs import expectations
-from sweep import run_facts
-from sweep import charts
-from web.html_parts import escape
+from sweep import charts, run_facts
 from sweep.answer import status_html
+from tables import looks
+from tables.numbers import number_text
+from web.html_parts import element, escape, opener, row_html, scroll_table
 
 COLUMNS, MOST_COLUMNS, MOST_AXES = 6, 9, 8
 FEW = 3  # most commands of single runs that are listed
 CHOICES = 24  # an axis with at most this many values has a list to choose from
+MOST_LOOKS = 24  # an axis with more values gives runs no colours in the explorer
+MOST_RUNS = 500  # a page with more runs has only the metrics of its charts
 
 
 class RunTable:
@@ -20,74 +24,62 @@ class RunTable:
         self.report = report
         self.axes = list({axis.pointer: axis for varied, _ in report.axes
                           for axis in varied}.values())[:MOST_AXES]
-        self.numbers = self._columns()
-        self.several = len(report.sweeps) > 1
-        self.checked = any(sweep.settings.get("expect") for sweep in report.sweeps)
-        self.warned = any(run.warnings for run in report.runs)
 
     def html(self):
-        rows = "".join(map(self._row, self.report.runs))
+        heads, cells = zip(*self._columns())
+        rows = "".join(row_html(cell(run) for cell in cells) for run in self.report.runs)
+        table = scroll_table(row_html(heads), rows, "The runs", True, class_="sortable", data_rows="runs")
         return ("<p class='grey small'>Click the id of a run to see its motion, worst metric, config and "
-                "command.</p><div class='scroll tall' tabindex='0' role='region' aria-label='The runs'>"
-                f"<table class='sortable' data-rows='runs'><thead><tr>{''.join(self._head())}</tr></thead>"
-                f"<tbody>{rows}</tbody></table></div><h3>Repeat all runs</h3><pre>{escape(self._again())}"
-                "</pre>")
+                f"command.</p>{table}<h3>Repeat all runs</h3><pre>{escape(self._again())}</pre>")
 
     def _columns(self):
-        """The metrics of the table: the first metrics of every sweep, and the CPU time."""
-        columns = {}
-        for numbers in self.report.numbers:
-            for number in numbers[:COLUMNS]:
-                columns.setdefault(number["name"], number)
-        everything = {number["name"]: number for numbers in self.report.numbers for number in numbers}
-        time = everything.get(charts.CPU)
-        columns.pop(charts.CPU, None)
-        return list(columns.values())[:max(3, MOST_COLUMNS - len(self.axes))] + ([time] if time else [])
-
-    def _head(self):
-        text = lambda name: f"<th class='t choose'>{name}</th>"
-        yield "<th class='t'>run</th>" + text("verdict")
-        if self.several:
-            yield text("sweep")
-        for axis in self.axes:
-            kinds = ("" if axis.numeric else "t ") + ("choose" if len(axis.values) <= CHOICES else "")
-            yield f"<th class='{kinds}' title='{escape(axis.pointer)}'>{escape(axis.short)}</th>"
-        for number in self.numbers:
-            label = escape(number["label"])
-            yield (f"<th title='{escape(number['meaning'])}' data-label='{label}'>{label}"
-                   f"{unit_html(number['unit'])}</th>")
-        if self.checked:
-            yield text("expected")
-        if self.warned:
-            yield text("warnings")
-
-    def _row(self, run):
-        return f"<tr>{''.join(self._cells(run))}</tr>"
-
-    def _cells(self, run):
+        """(heading, run → cell) of every column, as HTML."""
         report = self.report
-        name = run.id[:8] if len(report.runs) > 1 else run.name
-        yield (f"<td class='t' data-run='{escape(run.id)}'><button type='button' class='opens' "
-               f"aria-label='Open {escape(report.labels[run.id])}'>{escape(name)}</button></td><td "
-               f"class='t'>{status_html(run.status)}</td>")
-        if self.several:
-            yield f"<td class='t'>{escape(run.name)}</td>"
-        own = {axis.pointer: axis for axis in report.axes[report.sweep_of[run.id]][0]}
-        for axis in self.axes:
-            text = own[axis.pointer].text(run) if axis.pointer in own else ""
-            yield f"<td{'' if axis.numeric else ' class=t'}>{escape(text)}</td>"
-        for number in self.numbers:
+        of_text = lambda name, html: (element("th", name, class_="t choose"),
+                                      lambda run: element("td", html(run), class_="t"))
+        yield "<th class='t'>run</th>", self._opener
+        yield of_text("verdict", lambda run: status_html(run.status))
+        if len(report.sweeps) > 1:
+            yield of_text("sweep", lambda run: escape(run.name))
+        yield from map(self._of_axis, self.axes)
+        yield from map(self._of_number, self._numbers())
+        if any(sweep.settings.get("expect") for sweep in report.sweeps):
+            yield of_text("expected", self._held)
+        if any(run.warnings for run in report.runs):
+            codes = lambda run: dict.fromkeys(warning["code"] for warning in run.warnings)
+            yield of_text("warnings", lambda run: escape(", ".join(codes(run))))
+
+    def _opener(self, run):
+        name = run.id[:8] if len(self.report.runs) > 1 else run.name
+        return opener(run.id, escape(name), label=f"Open {self.report.labels[run.id]}")
+
+    def _of_axis(self, axis):
+        kinds = ("" if axis.numeric else "t ") + ("choose" if len(axis.values) <= CHOICES else "")
+        text = "<td>" if axis.numeric else "<td class=t>"
+        return (f"<th class='{kinds}' title='{escape(axis.pointer)}'>{escape(axis.short)}</th>",
+                lambda run: f"{text}{escape(self.report.value_text(run, axis.pointer))}</td>")
+
+    def _of_number(self, number):
+        def cell(run):
             value = charts.number_of(run, number["name"])
             key = "" if np.isnan(value) else "∞" if np.isinf(value) else f"{value:.9g}"
-            yield f"<td data-v='{key}'>{number_text(value, 4) if key else ''}</td>"
-        if self.checked:
-            checked = expectations.check(report.sweep(run).settings, run)
-            held = all(bound.holds for bound in checked)
-            text = status_html("holds" if held else "fails", "held" if held else "failed") if checked else ""
-            yield f"<td class='t'>{text}</td>"
-        if self.warned:
-            codes = ", ".join(dict.fromkeys(warning["code"] for warning in run.warnings))
-            yield f"<td class='t'>{escape(codes)}</td>"
+            return f"<td data-v='{key}'>{number_text(value, 4) if key else ''}</td>"
+        label = escape(number["label"])
+        return (f"<th title='{escape(number['meaning'])}' data-label='{label}'>{label}"
+                f"{unit_html(number['unit'])}</th>"), cell
+
+    def _held(self, run):
+        checked = expectations.check(self.report.sweep(run).settings, run)
+        held = all(bound.holds for bound in checked)
+        return status_html("holds" if held else "fails", "held" if held else "failed") if checked else ""
+
+    def _numbers(self):
+        """The metrics of the table: the first metrics of every sweep, and the CPU time."""
+        several = self.report.numbers
+        times = [number for numbers in several for number in numbers if number["name"] == charts.CPU]
+        first = [number for numbers in several for number in numbers[:COLUMNS] if number not in times]
+        columns = [same_number[0] for same_number in group(first, lambda number: number["name"]).values()]
+        return columns[:max(3, MOST_COLUMNS - len(self.axes))] + times[:1]
 
     def _again(self):
         """The commands that compute the runs and make the page again."""
@@ -107,8 +99,7 @@ class RunTable:
 
 def about(report, run):
     """The data of a run for the page's scripts, without its frames."""
-    sweep = report.sweep(run)
-    title = report.labels[run.id]
+    sweep, title = report.sweep(run), report.labels[run.id]
     data = {"id": run.id, "label": report.short.get(run.id, title), "title": title, "name": run.name,
             "status": run.status, "told": run_facts.in_short(run), "why": run_facts.why(run),
             "worst": run_facts.worst(run, sweep), "warnings": run.warnings,
@@ -124,3 +115,33 @@ def about(report, run):
 
 def unit_html(unit):
     return f" <small>{escape(unit)}</small>" if unit not in ("", "1") else ""
+
+
+# --- explorer ----------------------------------------------------------------------------------------------
+
+def explorer(report):
+    """{axes, numbers, places, plain}: the axes of all sweeps, the names of the metrics, run id → index of the
+    run's value on each axis, the style of runs without a colour."""
+    by_pointer = group([axis for varied, _ in report.axes for axis in varied], lambda axis: axis.pointer)
+    # axes with names first, because the first axis has most room for names on its left
+    axes = sorted(map(_axis, by_pointer.values()), key=lambda axis: axis["numbers"] is not None)
+    places = {}
+    for run in report.runs:
+        texts = [report.value_text(run, axis["name"]) for axis in axes]
+        places[run.id] = [axis["texts"].index(text) if text else None for axis, text in zip(axes, texts)]
+    return {"axes": axes, "numbers": list(report.summary), "places": places, "plain": looks.of_place(0)}
+
+
+def _axis(same_axis):
+    """The axis of one setting, with the values from all sweeps that vary this setting, in order."""
+    first = same_axis[0]
+    values = {text: value for axis in same_axis for text, value in zip(axis.texts, axis.values)}
+    numeric = all(axis.numeric for axis in same_axis)
+    texts = sorted(values, key=values.get) if numeric else list(values)
+    models = {text: model for axis in same_axis for text, model in zip(axis.texts, axis.models or [])}
+    # the colours of models cannot tell apart two values that have the same model
+    alone = len(set(models.values())) == len(values)
+    styles = [looks.of_model(models[text]) if alone else looks.of_place(at) for at, text in enumerate(texts)]
+    return {"name": first.pointer, "label": first.short, "unit": first.unit, "meaning": first.meaning,
+            "texts": texts, "numbers": [values[text] for text in texts] if numeric else None,
+            "looks": styles if len(texts) <= MOST_LOOKS else None}

@@ -44,47 +44,52 @@ def resolved(chart, tables, command):
             if any(shortened(row.get(y)) is not None for y in chart.ys)] if table else []
     if not rows:
         return None
-    if chart.kind == "bars":
-        return _bars(chart, table, rows, command)
+    about = {"id": chart.id, "kind": chart.kind, "title": chart.title, "note": chart.note}
     x = table.column(chart.x)
-    names = list(dict.fromkeys(cell_text(row[chart.x], x.form)
-                               for row in rows)) if chart.scale == "band" else None
-    held = [_held(table.column(id), rows) for id in chart.held]
-    curves = list(dict.fromkeys(_label(chart, table, row) for row in rows))
-    place_of = lambda row: [cell_text(row[id], table.column(id).form) for id in chart.held]
+    if chart.kind == "bars":
+        return about | {"command": command} | _bars(chart, table, x, rows)
+    about["x"] = {"name": x.id, "label": x.name, "unit": x.unit, "scale": chart.scale}
+    names = _texts(x, rows) if chart.scale == "band" else []
+    if names:
+        about["x"]["categories"] = names
+    elif chart.scale == "log2":
+        about["x"]["ticks"] = sorted({row[x.id] for row in rows if row[x.id] is not None})
+    held = [(column, _texts(column, rows)) for column in map(table.column, chart.held)]
+    place_of = lambda row: [texts.index(column.text(row)) for column, texts in held]
     by_curve = group(rows, lambda row: (_label(chart, table, row), *place_of(row)))
-    series = [_series(chart, table, curves, own_rows, names,
-                      [axis["texts"].index(text) for axis, text in zip(held, place)])
-              for (_, *place), own_rows in by_curve.items()]
+    curves = list(dict.fromkeys(label for label, *_ in by_curve))
+    series = [{"label": label, "look": _look(chart, table, own_rows[0], curves.index(label)), "held": place}
+              | _points(chart, x, names, own_rows) for (label, *place), own_rows in by_curve.items()]
     theory = tables.get(chart.theory)
     if theory:
-        series += [_series(chart, theory, [], own_rows, names, []) | {"line": True}
-                   for own_rows in group(theory.rows, lambda row: _label(chart, theory, row)).values()]
-    about_x = {"name": x.id, "label": x.label or x.id, "unit": x.unit, "scale": chart.scale}
-    if names:
-        about_x["categories"] = names
-    elif chart.scale == "log2":
-        about_x["ticks"] = sorted({row[chart.x] for row in rows if row[chart.x] is not None})
-    ys = [{"name": id, "label": table.column(id).label or id.replace("_", " "), "unit": table.column(id).unit
-           or "1",
-           "meaning": table.column(id).meaning} for id in chart.ys]
-    limits = [{"metric": y, "value": value, "text": text} for y, value, text in chart.limits]
-    made = {"id": chart.id, "kind": "lines", "title": chart.title, "note": chart.note, "x": about_x, "ys": ys,
-            "choice": 0, "series": series, "command": command, "limits": limits, "joined": chart.joined,
-            "held": [{"name": axis["name"], "label": axis["label"], "values": axis["texts"],
-                      "at": axis["texts"].index(chart.at) if not i and chart.at in axis["texts"]
-                      else len(axis["texts"]) // 2}
-                     for i, axis in enumerate(held)]}
+        series += [{"label": label, "look": looks.line(), "held": []}
+                   | _points(chart, x, names, own_rows) | {"line": True}
+                   for label, own_rows in group(theory.rows, lambda row: _label(chart, theory, row)).items()]
+    made = about | {
+        "ys": [{"name": y.id, "label": y.name, "unit": y.unit or "1", "meaning": y.meaning}
+               for y in map(table.column, chart.ys)],
+        "choice": 0, "series": series, "command": command,
+        "limits": [{"metric": y, "value": value, "text": text} for y, value, text in chart.limits],
+        "joined": chart.joined,
+        "held": [{"name": column.id, "label": column.name, "values": texts,
+                  "at": texts.index(chart.at) if column.id == chart.held[0] and chart.at in texts
+                  else len(texts) // 2} for column, texts in held]}
     if chart.y_scale:
         made["y_scale"] = chart.y_scale
-    if not chart.legend:
-        made |= {"legend": False, "dodge": False}
-    return made
+    return made if chart.legend else made | {"legend": False, "dodge": False}
 
 
-def _held(column, rows):
-    return {"name": column.id, "label": column.label or column.id.replace("_", " "),
-            "texts": list(dict.fromkeys(cell_text(row[column.id], column.form) for row in rows))}
+def _bars(chart, table, x, rows):
+    return {"x": {"name": "value", "label": x.meaning, "unit": x.unit},
+            "parts": [{"label": table.column(y).name, "look": looks.of_place(place)}
+                      for place, y in enumerate(chart.ys)],
+            "rows": [{"label": x.text(row), "runs": row.get("runs", []),
+                      "values": [shortened(row.get(y)) for y in chart.ys]} for row in rows]}
+
+
+def _texts(column, rows):
+    """The different values of a column as texts, in the order of the rows."""
+    return list(dict.fromkeys(map(column.text, rows)))
 
 
 def _label(chart, table, row):
@@ -93,21 +98,17 @@ def _label(chart, table, row):
     for column in map(table.column, chart.curve):
         value = row.get(column.id, "")
         text = cell_text(value, column.form)
-        parts.append(text if isinstance(value, str) else f"{column.label or column.id} {text}")
+        parts.append(text if isinstance(value, str) else f"{column.name} {text}")
     return ", ".join(filter(None, parts))
 
 
-def _series(chart, table, curves, rows, names, held):
-    x = table.column(chart.x)
-    if names is None:
-        rows = sorted((row for row in rows if row[chart.x] is not None), key=lambda row: row[chart.x])
-    label = _label(chart, table, rows[0])
+def _points(chart, x, names, rows):
+    """The points of a curve. `names`: the values of a band, in place of numbers."""
+    if not names:
+        rows = sorted((row for row in rows if row[x.id] is not None), key=lambda row: row[x.id])
     of = lambda suffix: {y: [shortened(row.get(y + suffix)) for row in rows] for y in chart.ys
                          if any(y + suffix in row for row in rows)}
-    made = {"label": label, "look": _look(chart, table, rows[0], curves.index(label)) if label in curves
-            else looks.line(), "held": held, "y": of(""),
-            "x": [names.index(cell_text(row[chart.x], x.form)) if names else
-                                             shortened(row[chart.x]) for row in rows]}
+    made = {"y": of(""), "x": [names.index(x.text(row)) if names else shortened(row[x.id]) for row in rows]}
     if any(f"{y}_low" in row for row in rows for y in chart.ys):
         made |= {"low": of("_low"), "high": of("_high")}
     if any("runs" in row for row in rows):
@@ -126,13 +127,3 @@ def _look(chart, table, row, place):
         values = list(dict.fromkeys(other[chart.dashed] for other in table.rows))
         look |= looks.of_variant(values.index(row[chart.dashed]))
     return look
-
-
-def _bars(chart, table, rows, command):
-    parts = [{"label": table.column(y).label or y, "look": looks.of_place(place)} for place,
-             y in enumerate(chart.ys)]
-    x = table.column(chart.x)
-    return {"id": chart.id, "kind": "bars", "title": chart.title, "note": chart.note, "command": command,
-            "x": {"name": "value", "label": x.meaning, "unit": x.unit}, "parts": parts,
-            "rows": [{"label": cell_text(row[chart.x]), "runs": row.get("runs", []),
-                      "values": [shortened(row.get(y)) for y in chart.ys]} for row in rows]}

@@ -5,9 +5,7 @@ is one answer to every question. The sentence below a map is computed from the c
 because they also have cells of meshes.
 """
 import itertools
-from dataclasses import dataclass, field, fields, replace
-
-import numpy as np
+from dataclasses import asdict, dataclass, field, fields, replace
 
 from bendlab.results.load import group
 
@@ -20,10 +18,11 @@ SOLVERS = {(1, 10): "1 × 10", (4, 10): "4 × 10", (16, 10): "16 × 10", (256, 1
 DAMPINGS = {0: "no damping", 1: "viscous drag"}
 ROUNDINGS = {"floor": "rounded down", "round": "rounded"}
 
-# The open questions, each as the beginning of a sentence that an answer completes, in the order of rows and
-# columns. The paper states what is pinned only for its own springs.
-DIMENSIONS = {"rounding": "m is", "damping": "there is", "solver": "substeps × iterations are",
-              "pins": "what is pinned is", "cells": "N is"}
+# The open questions in the order of rows and columns: the beginning of a sentence that an answer completes,
+# and the answers in their order. The paper states what is pinned only for its own springs.
+DIMENSIONS = {"rounding": ("m is", [*ROUNDINGS.values()]), "damping": ("there is", [*DAMPINGS.values()]),
+              "solver": ("substeps × iterations are", [*SOLVERS.values()]),
+              "pins": ("what is pinned is", [*PINS]), "cells": ("N is", [])}
 
 
 @dataclass(frozen=True, order=True)
@@ -66,8 +65,7 @@ class ClaimMap:
     cells: dict = field(default_factory=dict)  # Place → Cell
     note: str = ""
     of_torn: bool = False  # the claim states that cloth is torn
-    # the map lacks the cells that only --full computes; they could change the verdict
-    left_out: bool = False
+    left_out: bool = False  # the map lacks the cells of --full, which could change the verdict
 
     @property
     def judged(self):
@@ -85,10 +83,10 @@ class ClaimMap:
         on missing runs. A number: the share of judged cells in which the claim holds."""
         if not self.judged:
             return None
-        share = np.mean([cell.holds for cell in self.judged])
+        share = sum(cell.holds for cell in self.judged) / len(self.judged)
         if share in (0, 1):
             return None if self.open or self.left_out else bool(share)
-        return float(share)
+        return share
 
     @property
     def sentence(self):
@@ -101,51 +99,44 @@ class ClaimMap:
         elif self.holds in (True, False):
             text = "holds in every box" if self.holds else "does not hold in any box"
         else:
-            text = self._where(good, count) + self._at_least_work()
+            text = f"holds in {good} of {count} boxes{self._where(good)}"
         not_judged = len(self.cells) - count - self.open
-        return (text + (f"; {_cells(self.open, 'are')} open, because runs are missing"
-                        if self.open else "")
-                + ("; the boxes of --full are not computed" if self.left_out else "")
-                + (f"; {_cells(not_judged, 'have')} no verdict" if not_judged else ""))
+        notes = {f"{_boxes(self.open, 'is', 'are')} open, because runs are missing": self.open,
+                 "the boxes of --full are not computed": self.left_out,
+                 f"{_boxes(not_judged, 'has', 'have')} no verdict": not_judged}
+        return "; ".join([text, *(note for note, applies in notes.items() if applies)])
 
-    def _at_least_work(self):
-        """In how many cells the claim holds with the substeps and iterations of the page's other figures. The
-        paper does not state these numbers."""
+    def _where(self, good):
+        """Where a claim holds that holds in `good` cells but not in all, and in how many cells it holds with
+        the substeps and iterations of the page's other figures. The paper does not state these numbers."""
+        best, where = region(self.cells), ", without a simple pattern"
+        if best:
+            text, covered = best[0], len(best[1])
+            where = (f": wherever {text} ({covered} boxes), and in {good - covered} more" if good > covered
+                     else f": exactly where {text}")
         work = next(iter(SOLVERS.values()))
         verdicts = [cell.holds for place, cell in self.cells.items()
                     if place.solver == work and cell.holds is not None]
-        return (f"; in {sum(verdicts)} of the {len(verdicts)} boxes with {work} substeps × iterations"
-                if verdicts else "")
-
-    def _where(self, good, count):
-        """The sentence of a claim that holds in some cells."""
-        best = region(self.cells)
-        if best is None:
-            return f"holds in {good} of {count} boxes, without a simple pattern"
-        text, covered = best[0], len(best[1])
-        where = f"wherever {text} ({covered} boxes), and in {good - covered} more" if good > covered \
-            else f"exactly where {text}"
-        return f"holds in {good} of {count} boxes: {where}"
+        return where + (f"; in {sum(verdicts)} of the {len(verdicts)} boxes with {work} substeps × iterations"
+                        if verdicts else "")
 
     def as_json(self):
         return {"figure": self.figure, "claim": self.english, "rule": self.rule, "number": self.number,
                 "verdict": self.sentence,
-                "cells": [{**place.__dict__, "text": cell.text, "holds": cell.holds,
-                           "seeds": list(cell.seeds)}
+                "cells": [asdict(place) | {"text": cell.text, "holds": cell.holds, "seeds": cell.seeds}
                           for place, cell in sorted(self.cells.items())]}
 
     def kept(self):
         """All fields as JSON, from which the HTML of the page can be made again."""
-        cells = [{**place.__dict__, **cell.__dict__, "seeds": list(cell.seeds)}
-                 for place, cell in sorted(self.cells.items())]
-        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"cells": cells}
+        cells = [asdict(place) | asdict(cell) for place, cell in sorted(self.cells.items())]
+        return asdict(replace(self, cells={})) | {"cells": cells}
 
     @classmethod
     def of_kept(cls, kept):
         """The map from the JSON that kept() returned."""
-        pick = lambda kind, entry: {name.name: entry[name.name] for name in fields(kind)}
-        cells = {Place(**pick(Place, entry)):
-                 Cell(**pick(Cell, entry) | {"seeds": tuple(entry["seeds"])}) for entry in kept["cells"]}
+        pick = lambda kind, cell: kind(**{part.name: cell[part.name] for part in fields(kind)})
+        cells = {pick(Place, cell): pick(Cell, cell | {"seeds": tuple(cell["seeds"])})
+                 for cell in kept["cells"]}
         return cls(**kept | {"cells": cells})
 
 
@@ -159,48 +150,39 @@ def region(cells):
     values = {name: sorted({getattr(place, name) for place in cells}, key=answer_rank(name))
               for name in DIMENSIONS}
     varied = [name for name in DIMENSIONS if len(values[name]) > 1]
-    best = None
-    for count in (1, 2):
-        for names in itertools.combinations(varied, count):
-            subsets = [list(_parts_of(values[name])) for name in names]
-            for chosen in itertools.product(*subsets):
-                inside = [place for place in cells
-                          if all(getattr(place, name) in answers for name, answers in zip(names, chosen))]
-                if not inside or not all(cells[place].holds for place in inside):
-                    continue
-                if best is None or len(inside) > len(best[1]):
-                    text = " and ".join(f"{DIMENSIONS[name]} {_listed(answers)}"
-                                        for name, answers in zip(names, chosen))
-                    best = text, inside
-    return best if best and len(best[1]) >= max(len(cells) / 12, 2) else None
+    found = []
+    for names in [*itertools.combinations(varied, 1), *itertools.combinations(varied, 2)]:
+        for chosen in itertools.product(*(_parts_of(values[name]) for name in names)):
+            answers = dict(zip(names, chosen))
+            inside = [place for place in cells
+                      if all(getattr(place, name) in answers[name] for name in names)]
+            if inside and all(cells[place].holds for place in inside):
+                found.append((answers, inside))
+    answers, inside = max(found, key=lambda entry: len(entry[1]), default=({}, []))
+    if len(inside) < max(len(cells) / 12, 2):
+        return None
+    return " and ".join(f"{DIMENSIONS[name][0]} {_listed(answers[name])}" for name in answers), inside
 
 
 def answer_rank(name):
     """The order of the answers to a question, as a key for sorting."""
-    orders = {"rounding": list(ROUNDINGS.values()), "damping": list(DAMPINGS.values()),
-              "solver": list(SOLVERS.values()), "pins": list(PINS)}
-    if name not in orders:
-        return lambda value: value
-    return lambda value: orders[name].index(value) if value in orders[name] else -1
+    order = DIMENSIONS[name][1]
+    return lambda value: value if not order else order.index(value) if value in order else -1
 
 
 def _parts_of(values):
     """Every contiguous part of a list except the whole list."""
-    for start in range(len(values)):
-        for end in range(start + 1, len(values) + 1):
-            if end - start < len(values):
-                yield values[start:end]
+    return [values[start:end] for start, end in itertools.combinations(range(len(values) + 1), 2)
+            if end - start < len(values)]
 
 
-def _cells(count, verb=""):
-    if count == 1:
-        return f"1 box {dict(are='is', have='has').get(verb, '')}".strip()
-    return f"{count} boxes {verb}".strip()
+def _boxes(count, singular, plural):
+    return f"1 box {singular}" if count == 1 else f"{count} boxes {plural}"
 
 
 def _listed(values):
-    texts = [str(value) for value in values]
-    return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} or {texts[-1]}"
+    *first, last = map(str, values)
+    return f"{', '.join(first)} or {last}" if first else last
 
 
 def solver_of(run):
@@ -216,8 +198,7 @@ def rounding_of(run):
 def place_of(run):
     """The place of a run on the map of hanging sheets, or None if the map has no such place."""
     held = {"ring": run.get("/pins/ring"), "distance": run.get("/pins/distance")}
-    pins = next((name for name, section in PINS.items()
-                 if all(section[key] == held[key] for key in held)), None)
+    pins = next((name for name, section in PINS.items() if held.items() <= section.items()), None)
     damping = DAMPINGS.get(run.get("/effects/1/coefficient"))
     if None in (solver_of(run), pins, damping):
         return None

@@ -7,8 +7,13 @@ python3 analysis/compare_pages.py results/own/paper
 import argparse
 import json
 import math
-from dataclasses import dataclass, field
+from collections import namedtuple
+from dataclasses import dataclass
 from pathlib import Path
+
+from tables.numbers import known_values
+from tables.section import Check, read_objects
+from tables.table import is_number
 
 COMMITTED = Path(__file__).resolve().parents[2] / "results"  # the folder of the committed pages
 OWN = "own"  # the folder below it with the pages of your own runs; git ignores it
@@ -20,15 +25,7 @@ KEYS = ("figure", "claim", "setting", "check", "case", "experiment", "point", "m
 NOT_IN_LABEL = ("command", "figure", "setting")  # too long for a label, or not useful in it
 HOLDS = {True: "holds", False: "does not hold", None: OPEN}
 OF_THE_MACHINE = ("CPU", "seconds", "ms per frame")  # in the names of numbers that measure time
-
-
-@dataclass
-class Row:
-    """One verdict of a page, and the numbers from which it follows."""
-
-    label: str
-    verdict: str
-    numbers: dict = field(default_factory=dict)
+Row = namedtuple("Row", "label verdict numbers")  # of a page: a verdict, and the numbers that it follows from
 
 
 @dataclass
@@ -61,32 +58,23 @@ def compared(committed, own):
     theirs, mine = rows_of(committed), rows_of(own)
     if not theirs or not mine:
         return None
-    comparison = Comparison([], 0, 0, 0, 0, [], 0, 0, 0)
+    pairs = [(row, mine.get(key, Row(row.label, OPEN, {}))) for key, row in theirs.items()]
+    verdicts = [(row.label, row.verdict, other.verdict) for row, other in pairs
+                if row.verdict != other.verdict]
+    numbers = [(f"{row.label}: {name}", number, other.numbers[name])
+               for row, other in pairs if other.verdict != OPEN for name, number in row.numbers.items()
+               if None not in (number, other.numbers.get(name))
+               and not any(word in name for word in OF_THE_MACHINE)]
     digits = min(_digits(theirs), _digits(mine))
-    for key, row in theirs.items():
-        other = mine.get(key, Row(row.label, OPEN))
-        comparison.same_verdicts += row.verdict == other.verdict
-        comparison.not_made += other.verdict == OPEN != row.verdict
-        if row.verdict != other.verdict:
-            comparison.verdicts.append((row.label, row.verdict, other.verdict))
-        if other.verdict != OPEN:
-            _compare_numbers(row, other, digits, comparison)
-    comparison.numbers.sort(key=lambda entry: -_apart(entry[1], entry[2]))
-    _compare_bits(_bits(committed), _bits(own), comparison)
-    return comparison
-
-
-def _compare_numbers(row, other, digits, comparison):
-    for name in row.numbers.keys() & other.numbers.keys():
-        a, b = row.numbers[name], other.numbers[name]
-        if any(word in name for word in OF_THE_MACHINE) or None in (a, b):
-            continue
-        if f"{a:.{digits}g}" == f"{b:.{digits}g}":
-            comparison.exact += 1
-        elif _apart(a, b) <= ROUNDING:
-            comparison.rounded += 1
-        else:
-            comparison.numbers.append((f"{row.label}: {name}", a, b))
+    unequal = [entry for entry in numbers if f"{entry[1]:.{digits}g}" != f"{entry[2]:.{digits}g}"]
+    far = [entry for entry in unequal if _apart(entry) > ROUNDING]
+    runs, own_runs = _bits(committed), _bits(own)
+    same_bits = [own_runs[place] == bits for place, bits in runs.items() if place in own_runs]
+    return Comparison(
+        verdicts, same_verdicts=len(pairs) - len(verdicts), not_made=sum(now == OPEN for *_, now in verdicts),
+        exact=len(numbers) - len(unequal), rounded=len(unequal) - len(far),
+        numbers=sorted(far, key=_apart, reverse=True), same_bits=sum(same_bits),
+        other_bits=len(same_bits) - sum(same_bits), runs_not_made=len(runs) - len(same_bits))
 
 
 def _digits(rows):
@@ -95,44 +83,26 @@ def _digits(rows):
                 for row in rows.values() for value in row.numbers.values() if value is not None)))
 
 
-def _apart(a, b):
-    """The relative difference of two numbers."""
+def _apart(entry):
+    """The relative difference of the two numbers of (label, number, number)."""
+    _, a, b = entry
     return abs(a - b) / max(abs(a), abs(b)) if math.isfinite(a) and math.isfinite(b) else math.inf
-
-
-def _compare_bits(theirs, mine, comparison):
-    for place, bits in theirs.items():
-        if place not in mine:
-            comparison.runs_not_made += 1
-        elif mine[place] == bits:
-            comparison.same_bits += 1
-        else:
-            comparison.other_bits += 1
 
 
 # --- the data of a page ------------------------------------------------------------------------------------
 
 def rows_of(folder):
     """Key → Row of every verdict of a page."""
-    sections = _read(folder / "page.json")
+    sections = read_objects(folder / "page.json")
     objects = [entry for section in sections for kind in ("claims", "checks") for entry in section[kind]]
     for name in ("summary.json", "methods.json"):
-        objects += [entry for entry in _read(folder / name) if {"verdict", "status"} & entry.keys()]
-    rows = {}
-    for entry in objects:
-        rows[_key(entry)] = Row(_label(entry), _verdict(entry), _numbers(entry))
+        objects += [entry for entry in read_objects(folder / name) if {"verdict", "status"} & entry.keys()]
+    rows = {json.dumps([entry.get(name) for name in KEYS], sort_keys=True):
+            Row(_label(entry), _verdict(entry), _numbers(entry)) for entry in objects}
     for section in sections:
         for claim_map in section["maps"]:
             rows |= _cells(claim_map)
     return rows
-
-
-def _read(file):
-    return json.loads(file.read_text(encoding="utf-8")) if file.exists() else []
-
-
-def _key(entry):
-    return json.dumps([entry.get(name) for name in KEYS], sort_keys=True)
 
 
 def _label(entry):
@@ -148,38 +118,23 @@ def _verdict(entry):
         return entry["verdict"]
     if "status" in entry:
         return OPEN if entry["status"] == "missing" else entry["status"]
-    if "holds" in entry:
-        return HOLDS[entry["holds"]]
-    measured, expected = _number(entry["measured"]), _number(entry["expected"])  # a check
-    if measured is None:
-        return OPEN
-    if entry["kind"] == "most":
-        return HOLDS[measured <= expected]
-    bound = entry["tolerance"] * (expected if entry["kind"] == "relative" else 1)
-    return HOLDS[abs(measured - expected) <= bound]
+    return HOLDS[entry["holds"] if "holds" in entry else Check(**known_values(entry)).holds]
 
 
 def _numbers(entry):
     """Name → number. A list of n numbers becomes n names with a number."""
-    numbers = {name: value for name, value in entry.items()
-               if name.startswith("error_") or name == "measured"}
+    numbers = {name: value for name, value in entry.items() if name.startswith(("error_", "measured"))}
     numbers |= entry.get("numbers", {})
     if isinstance(entry.get("worst"), dict):
         numbers[entry["worst"]["what"]] = entry["worst"]["value"]
-    flat = {}
-    for name, value in numbers.items():
-        values = value if isinstance(value, list) else [value]
-        flat |= {f"{name} ({i + 1})" if len(values) > 1 else name: _number(item)
-                 for i, item in enumerate(values)}
-    return flat
+    lists = {name: value if isinstance(value, list) else [value] for name, value in numbers.items()}
+    return {f"{name} ({place})" if len(values) > 1 else name: _number(value)
+            for name, values in lists.items() for place, value in enumerate(values, 1)}
 
 
 def _number(value):
     """A value of JSON as a number; None for text and NaN."""
-    if value in ("inf", "-inf"):
-        return float(value)
-    known = isinstance(value, (int, float)) and not isinstance(value, bool) and value == value
-    return float(value) if known else None
+    return float(value) if value in ("inf", "-inf") or is_number(value) and value is not None else None
 
 
 def _cells(kept):
@@ -188,8 +143,7 @@ def _cells(kept):
     for cell in kept["cells"]:
         place = [cell[name] for name in ("rounding", "damping", "solver", "pins", "cells")]
         label = f"{kept['english']} ({', '.join(str(answer) for answer in place if answer)})"
-        verdict = OPEN if cell["open"] else "nothing to judge" if cell["holds"] is None \
-            else HOLDS[cell["holds"]]
+        verdict = "nothing to judge" if cell["holds"] is None and not cell["open"] else HOLDS[cell["holds"]]
         try:
             numbers = {"the number of the cell": float(cell["text"])}
         except ValueError:
@@ -200,7 +154,7 @@ def _cells(kept):
 
 def _bits(folder):
     """(config, point of its sweep) → the hash of the run at this point, see section.Section.bits."""
-    return {(config, place): bits for section in _read(folder / "page.json")
+    return {(config, place): bits for section in read_objects(folder / "page.json")
             for config, runs in section.get("bits", {}).items() for place, bits in runs.items()}
 
 
@@ -209,34 +163,27 @@ def _bits(folder):
 def summary_rows(comparison):
     """Rows of (what is compared, how many agree, how many differ, how many your page lacks)."""
     changed = len(comparison.verdicts) - comparison.not_made
-    rows = [("verdicts", comparison.same_verdicts, changed, comparison.not_made),
-            ("numbers, equal in all digits kept", comparison.exact,
-             comparison.rounded + len(comparison.numbers), ""),
-            (f"numbers, equal to rounding ({100 * ROUNDING:g} %)", comparison.exact + comparison.rounded,
-             len(comparison.numbers), "")]
-    if comparison.same_bits + comparison.other_bits + comparison.runs_not_made:
-        rows.insert(1, ("runs, equal to the bit", comparison.same_bits, comparison.other_bits,
-                        comparison.runs_not_made))
-    return rows
+    bits = comparison.same_bits, comparison.other_bits, comparison.runs_not_made
+    exact, rounded, far = comparison.exact, comparison.rounded, len(comparison.numbers)
+    return [("verdicts", comparison.same_verdicts, changed, comparison.not_made),
+            *([("runs, equal to the bit", *bits)] if any(bits) else []),
+            ("numbers, equal in all digits kept", exact, rounded + far, ""),
+            (f"numbers, equal to rounding ({100 * ROUNDING:g} %)", exact + rounded, far, "")]
 
 
 def text(comparison):
     """The comparison for a terminal."""
     rows = [("committed → mine", "agree", "do not", "not made here"),
             *(tuple(map(str, row)) for row in summary_rows(comparison))]
-    widths = [max(len(row[i]) for row in rows) for i in range(4)]
-    lines = ["  ".join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in
-                                                  zip(row[1:], widths[1:]))]).rstrip() for row in rows]
+    width, *widths = [max(map(len, column)) for column in zip(*rows)]
+    lines = ["  ".join([what.ljust(width), *map(str.rjust, cells, widths)]).rstrip() for what, *cells in rows]
+    verdicts = lambda opened: [f"{theirs} → {mine}: {label}" for label, theirs, mine in comparison.verdicts
+                               if (mine == OPEN) == opened]
+    numbers = [f"{committed:.4g} → {own:.4g}: {label}" for label, committed, own in comparison.numbers]
     lines += _cause(comparison)
-    changed = [verdict for verdict in comparison.verdicts if verdict[2] != OPEN]
-    opened = [verdict for verdict in comparison.verdicts if verdict[2] == OPEN]
-    for title, verdicts, most in (
-            ("Verdicts that differ:", changed, MOST),
-            ("Verdicts that are open on your page, because it lacks runs:", opened, FEW)):
-        lines += _listed(title, [f"{committed} → {own}: {label}" for label, committed, own in verdicts], most)
-    lines += _listed("Numbers that differ, the largest difference first:",
-                     [f"{committed:.4g} → {own:.4g}: {label}"
-                      for label, committed, own in comparison.numbers], MOST)
+    lines += _listed("Verdicts that differ:", verdicts(False), MOST)
+    lines += _listed("Verdicts that are open on your page, because it lacks runs:", verdicts(True), FEW)
+    lines += _listed("Numbers that differ, the largest difference first:", numbers, MOST)
     return "\n".join(lines)
 
 

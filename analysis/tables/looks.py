@@ -6,6 +6,8 @@ program lists them. So a model or method has the same colour on all pages, also 
 """
 import colorsys
 
+from matplotlib.colors import to_rgb
+
 from bendlab.results import registry
 
 # In the order of the program's models. Springs among the first twelve have the palette of Okabe and Ito. With
@@ -14,12 +16,10 @@ from bendlab.results import registry
 MODEL_COLOURS = ["#7f7f7f", "#d55e00", "#009e73", "#0072b2", "#cc79a7", "#e69f00", "#c2185b", "#000000",
                  "#8a4b08", "#5b3fa0", "#56b4e9", "#a3a500", "#a500ff", "#4b004b", "#0f3c1e", "#0f0069",
                  "#87b469", "#9687ff", "#783c78", "#6900b4"]
-# The marks (with size in points) and lines of the models in each family. Curves of hinges often coincide, so
-# their marks differ in size, and dashed lines are drawn over a solid line.
-FAMILY_MARKS = {"no bending": [("X", 5)], "springs": [("o", 4)], "springs that push": [("P", 6)],
-                "hinges": [("s", 8), ("D", 5.5), ("^", 4), ("v", 6)]}
-FAMILY_LINES = {"no bending": [":"], "springs": ["-"], "springs that push": ["-."],
-                "hinges": ["-", (0, (4, 8)), (6, (4, 8)), "--"]}
+# (mark, dash) of the models in each family. Curves of hinges often coincide, so their dashes differ.
+FAMILY_LOOKS = {"no bending": [("X", "2 4")], "springs": [("o", None)],
+                "springs that push": [("P", "8 4 2 4")],
+                "hinges": [("s", None), ("D", "4 5"), ("^", "4 5"), ("v", "7 5")]}
 # In the order of the program's methods: (colour of the method, colour of the method with a setting that a
 # figure shows separately).
 METHOD_COLOURS = [("#d55e00", "#e69f00"), ("#5b3fa0", "#a500ff"), ("#000000", "#7f7f7f"),
@@ -35,7 +35,6 @@ GROUNDS = {"light": "#ffffff", "dark": "#14171a"}  # --paper of viewer/src/page/
 # smallest contrast of lines and marks with the background; WCAG 2.2 requires 3
 CONTRAST = {"light": 3.0, "dark": 4.5}
 MARKS = ["o", "s", "D", "^", "v", "P", "X"]
-DASHES = {":": "2 4", "-.": "8 4 2 4", "--": "7 5"}  # matplotlib's names → SVG
 
 
 def model_name(model, k=None):
@@ -44,7 +43,7 @@ def model_name(model, k=None):
 
 
 def family(model):
-    """The family of a model, a key of FAMILY_MARKS. Models of a family have similar marks and lines."""
+    """The family of a model, a key of FAMILY_LOOKS. Models of a family have similar marks and lines."""
     if registry.is_prestressed(model):
         return "springs that push"
     return {"nothing": "no bending", "hinges": "hinges"}.get(registry.made_of(model), "springs")
@@ -67,29 +66,18 @@ def colour(model):
     return _at(MODEL_COLOURS, registry.model_place(model))
 
 
-def mark_and_line(model):
-    """((marker, size in points), line style) of a model."""
-    earlier = registry.models()[:registry.model_place(model)]
-    place = sum(family(other) == family(model) for other in earlier)
-    return _at(FAMILY_MARKS[family(model)], place), _at(FAMILY_LINES[family(model)], place)
-
-
-def marker(model):
-    """The mark of a model in a scatter plot."""
-    return mark_and_line(model)[0][0]
-
-
 def method_look(method, variant=0):
     """(colour, marker) of a solver method. `variant` 1: with a setting that a figure shows separately."""
     place = registry.method_place(method)
-    return _at(_method_colours(place), variant), _at(_at(METHOD_MARKS, place), variant)
+    return _method_colours(place)[variant], _at(METHOD_MARKS, place)[variant]
 
 
 def of_model(model):
     """The style of a bending model: the kind of mark of its family, and the colour of the model."""
-    (mark, _), line = mark_and_line(model)
-    dash = "4 5" if isinstance(line, tuple) else DASHES.get(line)
-    return of_look(colour(model), mark, family(model) == "hinges", dash)
+    own = family(model)
+    earlier = registry.models()[:registry.model_place(model)]
+    mark, dash = _at(FAMILY_LOOKS[own], sum(family(other) == own for other in earlier))
+    return of_look(colour(model), mark, own == "hinges", dash)
 
 
 def of_method(name):
@@ -100,7 +88,7 @@ def of_method(name):
 
 def of_variant(number):
     """The dash and hollow mark of a variant of a series, by the variant's number; {} for number 0."""
-    dash = VARIANTS[number % len(VARIANTS)]
+    dash = _at(VARIANTS, number)
     return {"dash": dash, "hollow": True} if dash else {}
 
 
@@ -111,9 +99,8 @@ def line():
 
 def of_place(number):
     """The style of a series by its number in a list."""
-    colours, round_ = SEQUENCE, number // len(SEQUENCE)
-    return of_look(colours[number % len(colours)], MARKS[number % len(MARKS)], bool(round_ % 2),
-                 [None, "7 4", "2 4"][round_ % 3])
+    round_ = number // len(SEQUENCE)
+    return of_look(_at(SEQUENCE, number), _at(MARKS, number), round_ % 2 == 1, _at(VARIANTS[:3], round_))
 
 
 def of_look(colour, mark, hollow=False, dash=None):
@@ -125,9 +112,9 @@ def of_look(colour, mark, hollow=False, dash=None):
 def readable(colour, ground, least):
     """The colour, made lighter or darker until it has enough contrast with the background; the hue stays. A
     grey without enough contrast is inverted before: black becomes almost white."""
-    red, green, blue = _rgb(colour)
-    hue, light, full = colorsys.rgb_to_hls(red, green, blue)
-    if contrast(colour, ground) < least and max(red, green, blue) - min(red, green, blue) < 0.1:
+    parts = to_rgb(colour)
+    hue, light, full = colorsys.rgb_to_hls(*parts)
+    if contrast(colour, ground) < least and max(parts) - min(parts) < 0.1:
         light = 0.93 - light
         colour = _hex(hue, light, full)
     step = -0.01 if luminance(ground) > 0.5 else 0.01
@@ -149,11 +136,5 @@ def contrast(colour, ground):
 
 def luminance(colour):
     """Relative luminance of an sRGB colour (WCAG)."""
-    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in _rgb(colour)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in to_rgb(colour)]
     return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear))
-
-
-def _rgb(colour):
-    digits = colour.lstrip("#")
-    digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
-    return [int(digits[i:i + 2], 16) / 255 for i in (0, 2, 4)]

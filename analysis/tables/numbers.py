@@ -1,6 +1,8 @@
 """Numbers as text for tables and pages, and as values for JSON."""
 import math
 
+import numpy as np
+
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -22,6 +24,34 @@ def number_text(value, digits=3):
     """A number as text of a page: 0.00123, 1.23·10⁻⁵, − for negative numbers."""
     first, _, exponent = number(value, digits).replace("-", "−", 1 if (value or 0) < 0 else 0).partition("e")
     return f"{first}·10{str(int(exponent)).translate(RAISED)}" if exponent else first
+
+
+def span(values, digits=3):
+    """The range of numbers as text, '1.30 to 8.40'; one number if both ends round to the same text."""
+    low, high = number(min(values), digits), number(max(values), digits)
+    return low if low == high else f"{low} to {high}"
+
+
+def percents(shares):
+    """The range of shares in whole percent, '98 to 104'; one number if both ends round to the same text."""
+    return " to ".join(dict.fromkeys(f"{100 * end:.0f}" for end in (min(shares), max(shares))))
+
+
+def slope(x, y):
+    """Exponent p of y ∝ x^p, by least squares of the logarithms. NaN for fewer than two points."""
+    x, y = np.asarray(x, float), np.asarray(y, float)
+    known = np.isfinite(x) & np.isfinite(y) & (x > 0) & (y > 0)
+    return float(np.polyfit(np.log(x[known]), np.log(y[known]), 1)[0]) if known.sum() > 1 else np.nan
+
+
+def unit_text(unit):
+    """A unit as text after a number; "" for numbers without unit."""
+    return "" if unit == "1" else f" {unit}"
+
+
+def evenly(count, most):
+    """The indices of at most `most` of `count` entries of a list, at even intervals."""
+    return np.unique(np.linspace(0, count - 1, most).round().astype(int))
 
 
 def shortened(value, digits=5):

@@ -1,7 +1,7 @@
 """A section of a page, which a figure makes: charts, pictures, tables, checks, and claims with a rule."""
 import hashlib
 import json
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import asdict, dataclass, field, replace
 from datetime import date
 
 from tables.numbers import known_values, rounded
@@ -21,9 +21,7 @@ class Claim:
     setting: str = ""  # the claim is judged at this setting only; a map judges it over all settings
 
     def as_json(self):
-        return {"figure": self.figure, "claim": self.claim, "rule": self.rule,
-                "numbers": rounded(self.numbers), "holds": self.holds, "note": self.note,
-                **({"setting": self.setting} if self.setting else {})}
+        return {name: value for name, value in rounded(asdict(self)).items() if value or name != "setting"}
 
 
 @dataclass
@@ -80,9 +78,8 @@ class Section:
     commands: list = field(default_factory=list)
     missing: list = field(default_factory=list)
     origins: list = field(default_factory=list)  # of the runs of the section: commit, machine, date
-    # objects for a JSON file beside the page; page.json does not contain these objects
-    data: list = field(default_factory=list)
-    frames: object = None  # frames of moving cloth (draw/page_frames.py), for index.html only
+    data: list = field(default_factory=list)  # objects for a JSON file beside the page, not for page.json
+    frames: object = None  # frames of moving cloth (draw/frames.py), for index.html only
     bits: dict = field(default_factory=dict)  # config → short(point of the sweep) → bits_of(run)
 
     def uses(self, experiment):
@@ -94,14 +91,31 @@ class Section:
             self.missing.append(f"configs/{experiment.config}.json: {experiment.missing_text}")
         return experiment.runs
 
+    def add_table(self, *table):
+        """Adds a table; the arguments are those of Table.of()."""
+        self.tables.append(Table.of(*table))
+
+    def add_check(self, *check, **options):
+        """Adds a check; the arguments are those of Check."""
+        self.checks.append(Check(*check, **options))
+
+    def add_chart(self, table, title, x, ys, *curve, id="", **options):
+        """Adds a chart, and its table if `table` is no id of a table. `id`: the id of the chart; "": the id
+        of the table. All other arguments are as in Chart."""
+        if isinstance(table, Table):
+            self.tables.append(table)
+            table = table.id
+        self.charts.append(Chart(id or table, title, table, x, ys, *curve, **options))
+
     def table(self, id):
         """The rows of the section's table with this id; [] without such a table."""
         return next((table.rows for table in self.tables if table.id == id), [])
 
     def as_json(self):
         """The section as JSON, from which the HTML of its page can be made again without runs."""
-        kept = exactly({entry.name: getattr(self, entry.name) for entry in fields(self)
-                        if entry.name not in ("maps", "tables", "data", "frames")})
+        kept = asdict(replace(self, maps=[], tables=[], data=[], frames=None))
+        for name in ("maps", "tables", "data", "frames"):
+            del kept[name]
         return rounded(kept, EXACT) | {"tables": [table.as_json() for table in self.tables],
                                        "maps": [claim_map.kept() for claim_map in self.maps]}
 
@@ -126,15 +140,6 @@ def bits_of(run):
                   if name not in ("cpu_s", "step_cpu_s", "wall_s", "memory_bytes")})
 
 
-def exactly(value):
-    """Data classes as dictionaries, tuples as lists."""
-    if is_dataclass(value):
-        return {entry.name: exactly(getattr(value, entry.name)) for entry in fields(value)}
-    if isinstance(value, dict):
-        return {key: exactly(entry) for key, entry in value.items()}
-    return [exactly(entry) for entry in value] if isinstance(value, (list, tuple)) else value
-
-
 def origin_of(run):
     """{commit, machine, date} of a run, as far as its file states them."""
     provenance = run.provenance
@@ -149,3 +154,8 @@ def write_objects(path, objects):
     """Writes a JSON list with one object per line."""
     lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in objects)
     path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+
+def read_objects(path):
+    """The objects in a JSON list; [] if there is no such file."""
+    return json.loads(path.read_text(encoding="utf-8")) if path.exists() else []

@@ -20,10 +20,17 @@ class Column:
     least: float = 0  # a smaller number is not reliable; it is written as "below" and this number
 
     @property
+    def name(self):
+        return self.label or self.id.replace("_", " ")
+
+    @property
     def title(self):
-        """The label with its unit."""
-        label = self.label or self.id.replace("_", " ")
-        return f"{label} ({self.unit})" if self.unit not in ("", "1") and "(" not in label else label
+        """The name with its unit."""
+        return self.name + (f" ({self.unit})" if self.unit not in ("", "1") and "(" not in self.name else "")
+
+    def text(self, row):
+        """The value of a row in this column, as text."""
+        return cell_text(row.get(self.id), self.form, self.least)
 
 
 @dataclass
@@ -35,24 +42,23 @@ class Table:
 
     @classmethod
     def of(cls, id, caption, columns, rows):
-        """A table whose columns are given as ids or as tuples of the fields of Column."""
+        """A table whose columns are given as ids or as tuples of the fields of Column. A row may also be a
+        tuple of the values of all columns."""
         made = [column if isinstance(column, Column) else
                 Column(column) if isinstance(column, str) else Column(*column) for column in columns]
-        return cls(id, caption, made, list(rows))
+        ids = [column.id for column in made]
+        return cls(id, caption, made, [row if isinstance(row, dict) else dict(zip(ids, row)) for row in rows])
 
     def column(self, id):
         return next((column for column in self.columns if column.id == id), None) or Column(id)
 
     def texts(self):
         """The cells of the columns that are shown, as texts."""
-        visible = [column for column in self.columns if column.shown]
-        return [[cell_text(row.get(column.id), column.form, column.least) for column in visible]
-                for row in self.rows]
+        return [[column.text(row) for column in self.columns if column.shown] for row in self.rows]
 
     def as_json(self):
         columns = [{name: value for name, value in asdict(column).items()
-                    if value != getattr(Column, name, "")}
-                   for column in self.columns]
+                    if value != getattr(Column, name, "")} for column in self.columns]
         return {"id": self.id, "caption": self.caption, "columns": columns, "rows": rounded(self.rows, EXACT)}
 
     @classmethod

@@ -9,14 +9,25 @@ from functools import lru_cache
 from pathlib import Path
 
 MANY, CHOICES = 12, 14  # most rows of a table without filters; most values in the filter of a column
+MOST_TEXT = 420  # characters of a section's text that are not folded
 VIEWER = Path(__file__).resolve().parents[1] / "viewer/dist"
-HEAD = """<!doctype html>
+PAGE = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
 <meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <link rel="icon" href="data:,">
 <title>{title}</title>
 <style>{style}</style></head>
+<body>
+<a class='skip' href='#main'>Skip to the content</a>
+{places}<header class='bar'><div>{home}<nav aria-label='Sections'>{links}</nav></div></header>
+<main id='main'>
+{top}
+{sections}</main>
+{made}
+<script type='application/json' id='bendlab-data'>{data}</script>
+{frames}
+<script>{script}</script></body></html>
 """
 
 
@@ -41,10 +52,11 @@ class Made:
 
     @property
     def html(self):
-        rows = [("Made by", f"<code>{escape(self.command)}</code>" if self.command else ""),
-                ("Commit", escape(self.commit)), ("Date", escape(self.date)),
-                ("Machine", escape(self.machine))]
-        entries = "".join(f"<dt>{name}</dt><dd>{text}</dd>" for name, text in rows if text)
+        texts = {"Made by": self.command, "Commit": self.commit, "Date": self.date, "Machine": self.machine}
+        shown = {name: escape(text) for name, text in texts.items() if text}
+        if self.command:
+            shown["Made by"] = element("code", shown["Made by"])
+        entries = "".join(f"<dt>{name}</dt><dd>{text}</dd>" for name, text in shown.items())
         return f"<footer class='foot'><div><dl>{entries}</dl></div></footer>"
 
 
@@ -55,16 +67,18 @@ def page(title, top, parts, made, data, frames="", places="", player=True):
     `places`: links to other pages. The browser runs only the viewer's script, because the page's policy names
     the hashes of this script and of the style sheet. Without `player` the script is an eighth as long.
     """
-    script = _viewer("viewer.js" if player else "page.js")
+    script, style = _viewer("viewer.js" if player else "page.js"), _viewer("viewer.css")
+    connect = "'self'" if data.get("live") else "'none'"
+    policy = (f"default-src 'none'; script-src {_hash(script)}; style-src {_hash(style)}; connect-src "
+              f"{connect}; img-src 'self' file: data: blob:; media-src blob:; base-uri 'none'; form-action "
+              "'none'")
     links = "".join(f"<a href='#{part.name}'>{escape(part.link or part.title)}</a>" for part in parts)
     sections = "".join(f"<section aria-labelledby='{part.name}'>{heading(part.name, part.title)}\n{part.body}"
                        "</section>\n" for part in parts)
     home = "" if places else "<a class='home' href='#main'>bendlab</a>"
-    return (f"{_head(title, [script], live=bool(data.get('live')))}<body>\n<a class='skip' href='#main'>Skip "
-            f"to the content</a>\n{places}<header class='bar'><div>{home}<nav "
-            f"aria-label='Sections'>{links}</nav></div></header>\n<main id='main'>\n{top}\n{sections}</main>"
-            f"\n{made.html}\n<script type='application/json' id='bendlab-data'>{json_text(data)}</script>\n"
-            f"{frames}\n<script>{script}</script></body></html>\n")
+    return PAGE.format(policy=policy, title=escape(title), style=style, places=places, home=home, links=links,
+                       top=top, sections=sections, made=made.html, data=json_text(data), frames=frames,
+                       script=script)
 
 
 def heading(name, title, level=2):
@@ -76,19 +90,7 @@ def heading(name, title, level=2):
 def json_text(data):
     """JSON for the inside of a script element: no text in the JSON can end the element."""
     text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
-    for character in "<>&\u2028\u2029":
-        text = text.replace(character, f"\\u{ord(character):04x}")
-    return text
-
-
-def _head(title, scripts, live=False):
-    sheet = _viewer("viewer.css")
-    hashes = lambda texts: " ".join(_hash(text) for text in texts) or "'none'"
-    connect = "'self'" if live else "'none'"
-    policy = (f"default-src 'none'; script-src {hashes(scripts)}; style-src {hashes([sheet])}; connect-src "
-              f"{connect}; img-src 'self' file: data: blob:; media-src blob:; base-uri 'none'; form-action "
-              "'none'")
-    return HEAD.format(policy=policy, title=escape(title), style=sheet)
+    return text.translate({ord(character): f"\\u{ord(character):04x}" for character in "<>&\u2028\u2029"})
 
 
 def _hash(text):
@@ -115,20 +117,19 @@ def section_part(section, heading_text, everything, verdicts=(), charts=()):
     first, rest = _beginning(section.text)
     parts = [f"<p>{escape(first)}</p>"] if first else []
     if section.missing:
-        missing = "<br>".join(escape(line) for line in section.missing)
+        missing = "<br>".join(map(escape, section.missing))
         parts.append(f"<div class='missing'>Missing:<br>{missing}</div>")
-    parts += [place for place, _ in charts]
-    parts += [picture_html(*picture) for picture in section.pictures]
+    parts += [*(place for place, _ in charts), *(picture_html(*picture) for picture in section.pictures)]
     parts += verdicts
-    prints = [file for _, file in charts if file]
+    prints = "".join(picture_html(file, "") for _, file in charts if file)
     if prints:
-        parts.append(folded("As a picture, for print", "".join(picture_html(file, "") for file in prints)))
+        parts.append(folded("As a picture, for print", prints))
     if rest:
         parts.append(folded("More on how it was measured", f"<p>{escape(rest)}</p>"))
     tables = [table_html(table) for table in section.tables if table.rows and table.caption]
     if tables:
-        parts.append(folded("All numbers" if len(tables) == 1 else f"All numbers, {len(tables)} tables",
-                            "".join(tables)))
+        title = "All numbers" if len(tables) == 1 else f"All numbers, {len(tables)} tables"
+        parts.append(folded(title, "".join(tables)))
     repeat = "\n".join([*section.commands, everything])
     parts.append(folded("Repeat it", f"<pre>{escape(repeat)}</pre>"))
     return Part(section.id, heading_text, "\n".join(parts), section.link)
@@ -145,49 +146,46 @@ def picture_html(name, caption):
             f"{escape(caption)}</figcaption></figure>")
 
 
+def chart_html(chart, note="", titled=True, prefix=""):
+    """The element in which the page's script draws a chart. `prefix`: the beginning of its address."""
+    text = " ".join(filter(None, (chart.get("note", ""), note)))
+    title = element("b", escape(chart["title"])) if titled else ""
+    caption = title + (element("span", escape(text)) if text else "")
+    return element("figure", element("figcaption", caption) if caption else "", class_="chart",
+                   data_chart=chart["id"], id=prefix + chart["id"])
+
+
 def address(title):
     """The address of the section with this title, such as what-is-stable."""
     return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
-def _beginning(text, most=420):
+def _beginning(text):
     """(the first sentences of a long text, the rest)."""
-    if len(text) <= 1.5 * most:
-        return text, ""
-    cut = text[:most].rfind(". ")
+    cut = text[:MOST_TEXT].rfind(". ") if len(text) > 1.5 * MOST_TEXT else 0
     return (text[:cut + 1], text[cut + 2:]) if cut > 0 else (text, "")
 
+
+# --- tables ------------------------------------------------------------------------------------------------
 
 def table_html(table, opens=""):
     """A table as HTML, which the reader can sort and filter. Columns of text are left-aligned. `opens`: a
     column of run ids, whose cells open the runs."""
-    columns, texts = [column for column in table.columns if column.shown], table.texts()
+    texts = table.texts()
     if not texts:
         return ""
-    raw = [[row.get(column.id) for column in columns] for row in table.rows]
-    of_text = [any(isinstance(row[i], str) for row in raw) for i in range(len(columns))]
-    chosen = [kind and len(texts) > MANY and 1 < len({row[i] for row in texts}) <= CHOICES
-              for i, kind in enumerate(of_text)]
-    head = "".join(element("th", escape(column.title),
-                           class_=" ".join(filter(None, ("t" * kind, "choose" * choice))),
-                           title=column.meaning)
-                   for column, kind, choice in zip(columns, of_text, chosen))
-    opening = [column.id == opens for column in columns]
-    rows = "\n".join(element("tr", "".join(_opener(text) if opener else _cell(kind, value, text)
-                                           for opener, kind, value, text in zip(opening, of_text, values,
-                                                                                row)))
-                     for values, row in zip(raw, texts))
-    body = (element("caption", escape(table.caption)) if table.caption else "") + element(
-        "thead", element("tr", head)) + element("tbody", rows)
-    tall = {"tabindex": "0", "role": "region", "aria_label": table.caption} if len(texts) > MANY else {}
-    table_ = element("table", body, class_="sortable", data_rows="runs" if opens else "")
-    return element("div", table_, class_="scroll tall" if tall else "scroll", **tall)
-
-
-def _opener(id):
-    """A cell that opens a run."""
-    button = element("button", escape(id[:8]), type="button", class_="opens")
-    return element("td", button, class_="t", data_run=id)
+    head, columns, many = "", [], len(texts) > MANY
+    for column, shown in zip([column for column in table.columns if column.shown], zip(*texts)):
+        values = [row.get(column.id) for row in table.rows]
+        of_text = any(isinstance(value, str) for value in values)
+        choose = of_text and many and 1 < len(set(shown)) <= CHOICES
+        look = "t choose" if choose else "t" if of_text else ""
+        head += element("th", escape(column.title), class_=look, title=column.meaning)
+        columns.append([opener(id, escape(id[:8])) for id in shown] if column.id == opens else
+                       [_cell(of_text, value, text) for value, text in zip(values, shown)])
+    rows = "\n".join(row_html(cells) for cells in zip(*columns))
+    return scroll_table(row_html(head), rows, table.caption if many else "", many, table.caption,
+                        class_="sortable", data_rows="runs" if opens else "")
 
 
 def _cell(of_text, value, text):
@@ -196,6 +194,41 @@ def _cell(of_text, value, text):
     is_plain = of_text or not isinstance(sorts_as, (int, float)) or text == str(sorts_as)
     return element("td", escape(text), class_="t" if of_text else "",
                    data_v="" if is_plain else f"{sorts_as:.9g}".replace("inf", "∞"))
+
+
+def scroll_table(head, rows, label="", tall=False, caption="", **attributes):
+    """A table of rows (HTML), which scrolls sideways if the screen is narrow, and also up and down if the
+    table is `tall`. `label`: its name for readers who scroll with keys. `attributes`: see element()."""
+    body = (element("caption", escape(caption)) if caption else "") + (element("thead", head) if head else "")
+    region = {"tabindex": "0", "role": "region", "aria_label": label} if label or tall else {}
+    return element("div", element("table", body + element("tbody", rows), **attributes),
+                   class_="scroll tall" if tall else "scroll", **region)
+
+
+def row_html(cells):
+    return element("tr", "".join(cells))
+
+
+def head_html(*names):
+    """A row of headings of columns of text."""
+    return row_html(element("th", escape(name), class_="t") for name in names)
+
+
+def matrix_table(corner, columns, rows, label, look, tall=False):
+    """A table with a heading for each row and column. `corner`: what the headings of rows are. `rows`:
+    heading → cells, as HTML. `look`: its CSS classes."""
+    titles = [element("th", escape(name), scope="col") for name in columns]
+    head = row_html([element("th", corner, class_="t"), *titles])
+    body = "".join(f"<tr><th scope='row' class='t'>{title}</th>{''.join(cells)}</tr>\n"
+                   for title, cells in rows.items())
+    return scroll_table(head, body, label, tall, class_=look)
+
+
+def opener(ids, body, cell="t", look="opens", label="", **attributes):
+    """A cell with a button that opens runs. `ids`: of the runs, with spaces between them. `cell` and `look`:
+    CSS classes of the cell and the button. `label`: the name of the button, if the body does not tell it."""
+    button = element("button", body, type="button", class_=look, aria_label=label)
+    return element("td", button, class_=cell, data_run=ids, **attributes)
 
 
 def element(name, body="", **attributes):

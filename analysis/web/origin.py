@@ -5,43 +5,32 @@ import subprocess
 from collections import Counter
 from pathlib import Path
 
+from tables.section import origin_of
 from web.html_parts import Made
-
-ROOT = Path(__file__).resolve().parents[2]
 
 
 def made_of(runs, command):
-    """The origin (Made) of a page of these runs."""
-    seen = [run.provenance for run in runs if run.provenance]
-    commits = Counter(_commit(provenance) for provenance in seen if provenance.get("git_commit"))
-    machines = Counter(provenance["processor"] for provenance in seen if provenance.get("processor"))
-    hosts = Counter(provenance["host"] for provenance in seen if provenance.get("host"))
-    parts = [f"page {_here()}" if _here() else "", f"runs of {_most(commits)}" if commits else ""]
-    machine = _most(machines) or platform.processor()
-    return Made("; ".join(part for part in parts if part),
+    """The origin (Made) of a page of these runs, with the commits of the scripts and of the runs."""
+    origins = [origin_of(run) for run in runs]
+    commits, machines, hosts = (most_frequent(origins, name) for name in ("commit", "machine", "host"))
+    here = _git("rev-parse", "--short=12", "HEAD")
+    changed = " with changes" if here and _git("status", "--porcelain", "--untracked-files=no") else ""
+    parts = [f"page {here}{changed}" if here else "", f"runs of {commits}" if commits else ""]
+    machine = machines or platform.processor()
+    return Made("; ".join(filter(None, parts)),
                 datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
-                f"{machine} ({_most(hosts)})" if hosts else machine, command)
+                f"{machine} ({hosts})" if hosts else machine, command)
 
 
-def _most(counts):
-    return ", ".join(name for name, _ in counts.most_common(3))
-
-
-def _commit(provenance):
-    changed = " with changes" if provenance.get("git_dirty") == "yes" else ""
-    return provenance["git_commit"][:12] + changed
-
-
-def _here():
-    """The commit of the scripts, "" outside a checkout."""
-    commit = _git("rev-parse", "--short=12", "HEAD")
-    changed = commit and _git("status", "--porcelain", "--untracked-files=no")
-    return commit + (" with changes" if changed else "")
+def most_frequent(origins, name):
+    """The three most frequent texts with this name in the origins of runs."""
+    counts = Counter(origin[name] for origin in origins if origin.get(name))
+    return ", ".join(text for text, _ in counts.most_common(3))
 
 
 def _git(*arguments):
     try:
-        return subprocess.run(["git", "-C", ROOT, *arguments], capture_output=True, text=True, check=True,
-                              timeout=10).stdout.strip()
+        git = ["git", "-C", Path(__file__).parent, *arguments]
+        return subprocess.run(git, capture_output=True, text=True, check=True, timeout=10).stdout.strip()
     except (OSError, subprocess.SubprocessError):
         return ""

@@ -1,9 +1,9 @@
 """A table of models × meshes of the plain scenes as HTML: how many runs broke a bound. A click on a cell
 opens these runs. The functions take runs as objects of summary.json, with the id of a run in the page."""
-from figures.plain.shares import MIXED, WRONG, in_order
-from web.html_parts import escape, heading
 from bendlab.results.load import group
+from figures.plain.shares import MIXED, WRONG, in_order
 from runs.plain_cases import SILENT
+from web.html_parts import escape, heading, matrix_table, opener
 
 STEPS = {1 / 8: "up to 1 in 8", 1 / 4: "up to 1 in 4", 3 / 8: "up to 3 in 8", 1: "more"}  # one colour each
 TITLE = "Models and meshes"
@@ -14,26 +14,19 @@ def matrix_html(judged):
     mixed = [run for run in judged if run["config"] in MIXED]
     if not mixed:
         return ""
-    place = lambda run: (run["settings"]["model"], run["settings"]["mesh"])
-    cells = group(mixed, place)
-    models, meshes = (in_order(axis, set(values))
-                      for axis, values in zip(("model", "mesh"), zip(*map(place, mixed))))
-    head = "".join(f"<th scope='col'>{escape(mesh)}</th>" for mesh in meshes)
-    rows = "".join(
-        f"<tr><th scope='row' class='t'>{escape(model)}</th>"
-        + "".join(_cell(f"{model} on {mesh}", cells.get((model, mesh), [])) for mesh in meshes) + "</tr>\n"
-        for model in models)
-    return (f"{heading('models-and-meshes', TITLE, 3)}<figure><div class='scroll' tabindex='0' role='region' "
-            f"aria-label='{TITLE}'><table class='shares matrix'><thead><tr><th class='t'>model</th>{head}"
-            f"</tr></thead><tbody>{rows}</tbody></table></div><figcaption>{_caption(mixed, len(judged))}"
-            "</figcaption></figure>")
+    cells = group(mixed, lambda run: (run["settings"]["model"], run["settings"]["mesh"]))
+    models, meshes = (in_order(axis, set(values)) for axis, values in zip(("model", "mesh"), zip(*cells)))
+    rows = {escape(model): [_cell(f"{model} on {mesh}", cells.get((model, mesh), [])) for mesh in meshes]
+            for model in models}
+    return (f"{heading('models-and-meshes', TITLE, 3)}<figure>"
+            f"{matrix_table('model', meshes, rows, TITLE, 'shares matrix')}"
+            f"<figcaption>{_caption(mixed, len(judged))}</figcaption></figure>")
 
 
 def _cell(name, runs):
     if not runs:
         return "<td>–</td>"
-    wrong = [run for run in runs if run["verdict"] in WRONG]
-    wrong.sort(key=lambda run: run["verdict"] != SILENT)
+    wrong = sorted((run for run in runs if run["verdict"] in WRONG), key=lambda run: run["verdict"] != SILENT)
     text = f"{len(wrong)}/{len(runs)}"
     if not wrong:
         return f"<td>{text}</td>"
@@ -41,9 +34,8 @@ def _cell(name, runs):
     step = next(i for i, most in enumerate(STEPS, 1) if len(wrong) <= most * len(runs))
     label = (f"{name}: {len(wrong)} of {len(runs)} runs broke a bound, "
              f"{silent or 'none'} of them without a warning")
-    look = f"step-{step}{' ring' if silent else ''}"
-    return (f"<td data-run='{escape(' '.join(run['id'] for run in wrong))}'><button type='button' "
-            f"class='{look}' aria-label='{escape(label)}'>{text}</button></td>")
+    look = f"step-{step} ring" if silent else f"step-{step}"
+    return opener(" ".join(run["id"] for run in wrong), text, "", look, label)
 
 
 def _caption(mixed, runs):

@@ -1,18 +1,17 @@
 """The tables of the hard cases as HTML, and the data of each run for the page's scripts. The functions take
-runs as objects of summary.json."""
+runs as objects of summary.json, or of methods.json (runs with other solver methods)."""
+import math
 from collections import Counter
-from functools import lru_cache
 
-from runs import repeat
-from figures.stability.cells import id_of
-from web.html_parts import address, escape
 from bendlab.results.load import group
-from tables.numbers import known_values
+from figures.stability.cells import id_of
+from runs import repeat
 from runs.collected import differing, stated
-from runs.stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS
+from runs.stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, worst_of
 from runs.sweeps import planned_points, point_key, read_config
+from web.html_parts import address, element, escape, folded, head_html, matrix_table, opener, scroll_table
 
-VERDICTS = (RED, AMBER, GREEN)
+MEANING = {RED: "unstable", AMBER: "stable, not recovered", GREEN: "passes"}  # of the verdicts, worst first
 SIGNS = {RED: "×", AMBER: "–", GREEN: "✓"}
 PRECISIONS = ("single", "double")
 CASE = {case.name: case for case in CASES}
@@ -20,11 +19,14 @@ GROUP = {case.name: title for title, cases in SECTIONS.items() for case in cases
 NUMBERS = {"recovered_s": ("recovered at", "s", "when the cloth was last away from its rest shape"),
            "energy_rises": ("steps in which energy rose", "1", "share of all steps"),
            "seconds": ("processor time", "s", "of the whole run")}
-
-
-def _kind(run):
-    """The setting in which the runs of a case and a model differ: the solver method, or the precision."""
-    return run.get("method") or run["precision"]
+CELLS = ("A cell shows the verdict of its worst model, and how many of the models have this verdict. A click "
+         "on a cell opens the runs with this verdict, the worst run first.")
+SCENES = ("The same cases on a coarser sheet of 16 cells. The membrane has a compliance, and bending has a "
+          "physical stiffness, because implicit methods need energies. pbd has its default substeps; in the "
+          "case of one iteration it has one substep. The other methods have one substep, and at most 10 "
+          "iterations (quasi_newton) or 20 iterations (newton). newton runs with one model only, because it "
+          "takes long. Energy is computed from the stated compliance. So cloth that stays stretched, because "
+          "pbd has too few substeps, has gained energy.")
 
 
 def shared(runs):
@@ -38,59 +40,50 @@ def shared(runs):
 def models_of(runs):
     """The models, sorted by the share of their runs that fail, smallest first."""
     by_model = group(runs, lambda run: run["model"])
-    shares = {model: _share(own_runs, RED) for model, own_runs in by_model.items()}
-    return sorted(shares, key=shares.get)
+    return sorted(by_model, key=lambda model: _shares(by_model[model])[RED])
 
 
-def _share(runs, verdict):
-    return sum(run["verdict"] == verdict for run in runs) / len(runs) if runs else 0.0
+def _shares(runs):
+    """Verdict → share of the runs that have this verdict."""
+    counts = Counter(run["verdict"] for run in runs)
+    return {verdict: counts[verdict] / len(runs) for verdict in MEANING}
 
 
 # --- models × groups of cases ------------------------------------------------------------------------------
 
 def groups_html(runs):
     """A table of models × groups of cases: how many of the runs are red. On a phone, each row is a card."""
-    titles = [title for title in SECTIONS if any(GROUP[run["case"]] == title for run in runs)]
-    by_place = group(runs, lambda run: (run["model"], GROUP[run["case"]]))
-    head = "".join(f"<th class='t'>{escape(title)}</th>" for title in ["all cases", *titles])
+    present = {GROUP[run["case"]] for run in runs}
+    titles = [title for title in SECTIONS if title in present]
     rows = ""
     for model in models_of(runs):
         own = [run for run in runs if run["model"] == model]
-        cells = "".join(_share_cell(cell_runs) for cell_runs in [own, *(by_place.get((model, title), [])
-                                                                        for title in titles)])
+        by_title = group(own, lambda run: GROUP[run["case"]])
+        cells = "".join(map(_share_cell, [own, *(by_title.get(title, []) for title in titles)]))
         rows += f"<tr><td class='t'><b>{escape(model)}</b></td>{cells}</tr>"
-    return ("<div class='scroll' tabindex='0' role='region' aria-label='Models and groups of cases'><table "
-            f"class='shares cards'><thead><tr><th class='t'>model</th>{head}</tr></thead><tbody>{rows}"
-            f"</tbody></table></div>{key_html()}")
+    head = head_html("model", "all cases", *titles)
+    signs = "".join(f"<span><span class='v {verdict}' aria-hidden='true'>{SIGNS[verdict]}</span>{verdict}: "
+                    f"{meaning}</span>" for verdict, meaning in MEANING.items())
+    return (scroll_table(head, rows, "Models and groups of cases", class_="shares cards")
+            + f"<p class='key'>{signs}</p>")
 
 
 def _share_cell(runs):
     if not runs:
         return "<td class='t'></td>"
-    counts = Counter(run["verdict"] for run in runs)
+    by_verdict = {verdict: [run for run in runs if run["verdict"] == verdict] for verdict in MEANING}
     at, bars = 0.0, ""
-    for verdict in VERDICTS:
-        width = 100 * counts[verdict] / len(runs)
+    for verdict, own in by_verdict.items():
+        width = 100 * len(own) / len(runs)
         bars += f"<rect class='fill-{verdict}' x='{at:.1f}' width='{width:.1f}' height='8'/>" if width else ""
         at += width
-    tally = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS)
-    text = f"{100 * _share(runs, RED):.0f} %"
-    bar = f"<svg viewBox='0 0 100 8' preserveAspectRatio='none' aria-hidden='true'>{bars}</svg>"
-    opened = [run for run in runs if run["verdict"] == RED] or [run for run in runs
-                                                                if run["verdict"] == AMBER]
+    tally = ", ".join(f"{len(own)} {verdict}" for verdict, own in by_verdict.items())
+    text = (f"{100 * _shares(runs)[RED]:.0f} %<svg viewBox='0 0 100 8' preserveAspectRatio='none' "
+            f"aria-hidden='true'>{bars}</svg>")
+    opened = by_verdict[RED] or by_verdict[AMBER]
     if not opened:
-        return f"<td class='t' title='{tally}'><div class='share'>{text}{bar}</div></td>"
-    ids = " ".join(map(id_of, opened))
-    return (f"<td class='t' data-run='{escape(ids)}'><button type='button' class='opens share' aria-label='"
-            f"{tally}'>{text}{bar}</button></td>")
-
-
-def key_html():
-    """What the signs mean."""
-    names = {RED: "red: unstable", AMBER: "amber: stable, not recovered", GREEN: "green: passes"}
-    return "<p class='key'>" + "".join(
-        f"<span><span class='v {verdict}' aria-hidden='true'>{SIGNS[verdict]}</span>{name}</span>"
-        for verdict, name in names.items()) + "</p>"
+        return element("td", element("div", text, class_="share"), class_="t", title=tally)
+    return opener(" ".join(map(id_of, opened)), text, look="opens share", label=tally)
 
 
 # --- cases × models ----------------------------------------------------------------------------------------
@@ -98,42 +91,40 @@ def key_html():
 def cases_html(runs):
     """(a table of the cases whose runs have different verdicts, a list of the other cases by colour). The
     table begins with the case that tells models apart best."""
-    by_case = group(runs, lambda run: run["case"])
-    telling, alike = folded(by_case)
-    return _matrix(telling, by_case, models_of(runs)), alike
+    by_case, models = group(runs, lambda run: run["case"]), models_of(runs)
+    telling, alike = told_apart(by_case)
+    rows = {}
+    for name in telling:
+        own = {(run["model"], run["precision"]): run for run in by_case[name]}
+        buttons = {model: "".join(_button(own.get((model, precision))) for precision in PRECISIONS)
+                   for model in models}
+        rows[full_title_html(name)] = [element("td", buttons[model]) for model in models]
+    return matrix_table("case", models, rows, "Cases and models", "cases", tall=True), alike
 
 
-def folded(by_case):
+def told_apart(by_case):
     """(the names of the cases in the table of cases_html(), the list of the other cases). `by_case`: name of
     a case → runs."""
-    telling = [name for name in by_case if len({run["verdict"] for run in by_case[name]}) > 1]
-    telling.sort(key=lambda name: -discrimination(by_case[name]))
-    alike = {}
-    for name in by_case:
-        if name not in telling:
-            alike.setdefault(by_case[name][0]["verdict"], []).append(name)
-    return telling, _alike_html(alike)
+    alike = {name: runs[0]["verdict"] for name, runs in by_case.items()
+             if len({run["verdict"] for run in runs}) == 1}
+    telling = sorted((name for name in by_case if name not in alike),
+                     key=lambda name: -discrimination(by_case[name]))
+    rows = ""
+    for verdict in MEANING:
+        names = [f"{GROUP[name].lower()}: {CASE[name].title}" for name in alike if alike[name] == verdict]
+        if names:
+            colour = element("span", f"all {verdict}", class_=f"status {verdict}")
+            rows += f"<li>{colour}: {escape('; '.join(names))}</li>"
+    if not alike:
+        return telling, ""
+    return telling, folded(f"The {len(alike)} cases in which all runs have one colour", f"<ul>{rows}</ul>")
 
 
 def discrimination(runs):
     """How well a case tells models apart: the share of pairs of runs whose verdicts differ. A pair with a red
     run counts three times."""
-    counts = Counter(run["verdict"] for run in runs)
-    red, amber, green = (counts[verdict] / len(runs) for verdict in VERDICTS)
+    red, amber, green = _shares(runs).values()
     return 3 * red * (1 - red) + amber * green
-
-
-def _matrix(names, by_case, models):
-    head = "".join(f"<th scope='col'>{escape(model)}</th>" for model in models)
-    rows = ""
-    for name in names:
-        own = {(run["model"], run["precision"]): run for run in by_case[name]}
-        cells = "".join(f"<td>{''.join(_button(own.get((model, precision))) for precision in PRECISIONS)}"
-                        "</td>" for model in models)
-        rows += f"<tr><th scope='row' class='t'>{full_title_html(name)}</th>{cells}</tr>\n"
-    return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Cases and models'><table "
-            f"class='cases'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
-            "</table></div>")
 
 
 def full_title_html(name):
@@ -144,25 +135,58 @@ def full_title_html(name):
 def _button(run):
     if run is None:
         return "<button type='button' class='v' disabled aria-label='no run'></button>"
-    name = f"{run['model']}, {run['precision']}: {run['verdict']}"
-    return (f"<button type='button' class='v {run['verdict']}' data-run='{escape(id_of(run))}' "
-            f"aria-label='{escape(name)}'>{SIGNS[run['verdict']]}</button>")
+    verdict = run["verdict"]
+    return element("button", SIGNS[verdict], type="button", class_=f"v {verdict}", data_run=id_of(run),
+                   aria_label=f"{run['model']}, {run['precision']}: {verdict}")
 
 
-def _full_title(name):
-    """A case with its group: 'start poses: mirrored'."""
-    return f"{GROUP[name].lower()}: {CASE[name].title}"
+# --- cases × solver methods --------------------------------------------------------------------------------
+
+def methods_html(runs):
+    """The HTML of the section on methods: the answer, the matrix, and which runs these are."""
+    if not runs:
+        return []
+    table, alike = methods_table(runs)
+    return [f"<p><b>{methods_answer(runs)}</b> {CELLS}</p>", table, alike,
+            folded("Which runs these are", f"<p>{SCENES}</p>")]
 
 
-def _alike_html(alike):
-    """The list of the cases in which all runs have the same colour."""
-    if not alike:
-        return ""
-    rows = "".join(f"<li><span class='status {verdict}'>all {verdict}</span>: "
-                   f"{escape('; '.join(map(_full_title, alike[verdict])))}</li>"
-                   for verdict in VERDICTS if verdict in alike)
-    return (f"<details><summary>The {sum(map(len, alike.values()))} cases in which all runs have one "
-            f"colour</summary><ul>{rows}</ul></details>")
+def methods_answer(runs):
+    """A sentence: in how many cases each method is unstable, the most stable method first."""
+    counts = []
+    for method, own in group(runs, lambda run: run["method"]).items():
+        red, cases = {run["case"] for run in own if run["verdict"] == RED}, {run["case"] for run in own}
+        counts.append((len(red) / len(cases), f"{escape(method)} in {len(red)} of {len(cases)}"))
+    parts = [text for _, text in sorted(counts, key=lambda entry: entry[0])]
+    return f"Unstable with at least one model: {'; '.join(parts)} cases."
+
+
+def methods_table(runs):
+    """(a table of cases × methods for the cases whose runs have different verdicts, a list of the other cases
+    by colour)."""
+    by_case = group(runs, lambda run: run["case"])
+    methods = list(group(runs, lambda run: run["method"]))
+    telling, alike = told_apart(by_case)
+    rows = ""
+    for name in telling:
+        by_method = group(by_case[name], lambda run: run["method"])
+        cells = "".join(_method_cell(by_method.get(method, [])) for method in methods)
+        rows += f"<tr><td class='t text'>{full_title_html(name)}</td>{cells}</tr>\n"
+    table = scroll_table(head_html("case", *methods), rows, "Cases and methods", class_="shares cards")
+    colours = "".join(element("span", f"{verdict}: {meaning}", class_=f"status {verdict}")
+                      for verdict, meaning in MEANING.items())
+    return f"{table}<p class='key'>{colours}</p>", alike
+
+
+def _method_cell(runs):
+    """A cell with the worst verdict of the models in a case; it opens the runs with this verdict."""
+    if not runs:
+        return "<td class='t'></td>"
+    verdict = next(colour for colour in MEANING if any(run["verdict"] == colour for run in runs))
+    worst = sorted((run for run in runs if run["verdict"] == verdict),
+                   key=lambda run: worst_of(run).excess, reverse=True)
+    text = element("span", f"{len(worst)} of {len(runs)}", class_=f"status {verdict}", title=verdict)
+    return opener(" ".join(map(id_of, worst)), text)
 
 
 # --- data --------------------------------------------------------------------------------------------------
@@ -170,13 +194,19 @@ def _alike_html(alike):
 def data(runs):
     """The data for the page's scripts: runs, base configs, reasons, numbers."""
     texts = list(dict.fromkeys(run["why"] for run in runs if run["why"]))
+    models = list(dict.fromkeys(run["model"] for run in runs))
     configs = list(dict.fromkeys(map(_config, runs)))
-    models = tuple(dict.fromkeys(run["model"] for run in runs))
-    bases = [_base(config, models) for config in configs]
-    about = [_about(run, texts, configs, bases, models) for run in runs]
-    keys = ("label", "unit", "meaning")
-    numbers = {name: dict(zip(keys, description)) for name, description in NUMBERS.items()}
-    return {"runs": about, "settings": bases, "texts": texts, "summary": numbers}
+    planned = [Planned(config, models) for config in configs]
+    about = []
+    for run in runs:
+        base = configs.index(_config(run))
+        about.append(_about(run, planned[base], base))
+        if run["why"]:
+            about[-1]["why"] = texts.index(run["why"])
+        if run["verdict"] != GREEN and "method" not in run:
+            about[-1]["stills"] = f"#{address(GROUP[run['case']])}"
+    numbers = {name: dict(zip(("label", "unit", "meaning"), number)) for name, number in NUMBERS.items()}
+    return {"runs": about, "settings": [plan.base for plan in planned], "texts": texts, "summary": numbers}
 
 
 def _config(run):
@@ -184,53 +214,39 @@ def _config(run):
     return run.get("config") or f"{FOLDER}/{CASE[run['case']].config}"
 
 
-def _about(run, texts, configs, bases, models):
-    case, worst, config = CASE[run["case"]], known_values(run["worst"]), _config(run)
-    place = configs.index(config)
-    point = run.get("point") or _point(case, run["model"], run["precision"], models)
-    entry = {"id": id_of(run), "title": f"{case.title}: {run['model']}, {_kind(run)}",
-             "status": run["verdict"], "worst": {
-                 "label": worst["what"], "value": worst["value"], "limit": worst["limit"],
-                 "unit": worst["unit"], "held": run["verdict"] == GREEN},
-             "command": repeat.command(f"configs/{config}.json", point, _axes(config, models)),
-             "summary": {name: run[name] for name in NUMBERS if run.get(name) is not None},
-             "base": place, "changes": differing(bases[place], stated(read_config(config), point))}
-    if worst["value"] != worst["value"] or abs(worst["value"]) == float("inf"):
-        entry["worst"] |= {"value": None, "text": "not a number" if worst["value"] != worst["value"] else "∞"}
-    if run["why"]:
-        entry["why"] = texts.index(run["why"])
-    if run["verdict"] != GREEN and "method" not in run:
-        entry["stills"] = f"#{address(GROUP[run['case']])}"
-    return entry
+class Planned:
+    """The points of a config's sweep, with all values in place of "all"."""
+
+    def __init__(self, config, models):
+        choices = {"/bending/model": models, "/solver/precision": list(PRECISIONS)}
+        self.file, self.settings = f"configs/{config}.json", read_config(config)
+        self.axes = {pointer: choices.get(pointer, []) if values == "all" else values
+                     for pointer, values in self.settings["sweep"].items()}
+        self.points = planned_points(self.settings, self.axes)
+        self.base = stated(self.settings, self.points[0])  # pointer → value at the first point
+
+    def point_of(self, run):
+        """The point of the sweep that has the case, model and precision of a run of configs/stability."""
+        case, model, precision = CASE[run["case"]], run["model"], run["precision"]
+        wanted = {pointer: self.axes[pointer][value] if pointer == "/effects" else value
+                  for pointer, value in case.where.items()}
+        for point in self.points:
+            own = point.get("/bending/model") or point.get("/bending", self.settings["bending"]).get("model")
+            if (own == model and point.get("/solver/precision", precision) == precision
+                    and point_key(wanted) == point_key({pointer: point[pointer] for pointer in wanted})):
+                return point
+        raise ValueError(f"{self.file} has no run of case {case.name} with {model}, {precision}")
 
 
-@lru_cache(maxsize=None)
-def _axes(config, models):
-    """The sweep of a config, with all values in place of "all"."""
-    choices = {"/bending/model": list(models), "/solver/precision": list(PRECISIONS)}
-    sweep = read_config(config)["sweep"]
-    return {pointer: choices.get(pointer, []) if values == "all" else values
-            for pointer, values in sweep.items()}
-
-
-@lru_cache(maxsize=None)
-def _base(config, models):
-    """Pointer → value of a config at the first point of its sweep."""
-    settings = read_config(config)
-    points = planned_points(settings, _axes(config, models))
-    return stated(settings, points[0])
-
-
-def _point(case, model, precision, models):
-    """The point of the sweep in configs/stability that has this case, model and precision."""
-    config = f"{FOLDER}/{case.config}"
-    settings, axes = read_config(config), _axes(config, models)
-    wanted = {pointer: axes[pointer][value] if pointer == "/effects" else value
-              for pointer, value in case.where.items()}
-    for point in planned_points(settings, axes):
-        own = point.get("/bending/model") or point.get("/bending", settings["bending"]).get("model")
-        if (own == model and point.get("/solver/precision", precision) == precision
-                and all(point_key({key: point[key]}) == point_key({key: value})
-                        for key, value in wanted.items())):
-            return point
-    raise ValueError(f"configs/{config}.json has no run of case {case.name} with {model}, {precision}")
+def _about(run, plan, base):
+    worst, point = worst_of(run), run.get("point") or plan.point_of(run)
+    # the runs of a case and a model differ in the solver method or in the precision
+    title = f"{CASE[run['case']].title}: {run['model']}, {run.get('method') or run['precision']}"
+    shown = {"label": worst.name, "value": worst.value, "limit": worst.limit, "unit": worst.unit,
+             "held": run["verdict"] == GREEN}
+    if not math.isfinite(worst.value):
+        shown |= {"value": None, "text": "not a number" if math.isnan(worst.value) else "∞"}
+    return {"id": id_of(run), "title": title, "status": run["verdict"], "worst": shown,
+            "command": repeat.command(plan.file, point, plan.axes),
+            "summary": {name: run[name] for name in NUMBERS if run.get(name) is not None},
+            "base": base, "changes": differing(plan.base, stated(plan.settings, point))}

@@ -1,10 +1,12 @@
 """Verdicts as HTML: claims, checks, maps of claims, and the data of their cells."""
-from tables.claim_map import Place, answer_rank
-from web.html_parts import escape, folded, table_html
-from bendlab.results.load import group
-from tables.table import Table, cell_text
+from itertools import product
 
-KIND = {"yes": "holds", "no": "fails", "open": "none"}  # CSS class of a verdict → class of a status
+from bendlab.results.load import group
+from tables.claim_map import Place, answer_rank
+from tables.table import Table, cell_text
+from web.html_parts import element, escape, folded, opener, scroll_table, table_html
+
+STATUS = {True: "holds", False: "fails", None: "none"}  # whether a claim holds in a cell → CSS class
 
 
 def mark(claim):
@@ -15,14 +17,14 @@ def mark(claim):
 
 
 def verdict_html(kind, text):
-    return f"<span class='verdict {kind}'>{escape(text)}</span>"
+    return element("span", escape(text), class_=f"verdict {kind}")
 
 
 def cards_html(rows):
     """A table of rows (name, text, (CSS class, text) of the verdict). On a phone, each row is a card."""
     body = "".join(f"<tr><td class='t'>{name}</td><td class='t text'>{text}</td><td class='t'>"
                    f"{verdict_html(*verdict)}</td></tr>" for name, text, verdict in rows)
-    return f"<div class='scroll'><table class='overview cards'><tbody>{body}</tbody></table></div>"
+    return scroll_table("", body, class_="overview cards")
 
 
 # --- claims and checks -------------------------------------------------------------------------------------
@@ -49,12 +51,9 @@ def checks_html(checks):
     """Checks as HTML: how many hold, then a folded table, which begins with the checks that do not hold."""
     if not checks:
         return ""
-    failed = [check for check in checks if check.holds is False]
-    rest = [check for check in checks if check.holds is not False]
-    kind, text = tally(checks)
-    return f"<p>{verdict_html(kind, text)}</p>" + folded(
-        f"All {len(checks)} checks" + (", failed checks first" if failed else ""),
-        table_html(_checks_table(failed + rest)))
+    first = ", failed checks first" if any(check.holds is False for check in checks) else ""
+    return (f"<p>{verdict_html(*tally(checks))}</p>"
+            + folded(f"All {len(checks)} checks{first}", table_html(_checks_table(checks))))
 
 
 def tally(checks):
@@ -69,27 +68,23 @@ def tally(checks):
 
 
 def _checks_table(checks):
+    """Checks that do not hold come first, and then checks with the same name and model beside each other."""
+    failed_first = sorted(checks, key=lambda check: check.holds is not False)
+    alike = group(failed_first, lambda check: (check.holds is False, check.check, check.model)).values()
     rows = [{"check": check.check, "model": check.model, "mesh": check.mesh, "expected": check.expected,
              "measured": check.measured, "tolerance": check.bound, "verdict": mark(check)[1],
-             "source": check.source,
-             "note": check.note}
-            for same_check in group(checks, lambda check: (check.holds is not False, check.check,
-                                                           check.model)).values() for check in same_check]
-    noted = ["note"] if any(check.note for check in checks) else []
-    return Table.of("checks", "Checks",
-                    ["check", "model", "mesh", "expected", "measured", "tolerance", "verdict",
-                     "source", *noted], rows)
+             "source": check.source, "note": check.note} for same_check in alike for check in same_check]
+    noted = any(row["note"] for row in rows)
+    return Table.of("checks", "Checks", [name for name in rows[0] if name != "note" or noted], rows)
 
 
 # --- maps --------------------------------------------------------------------------------------------------
 
 def map_mark(claim_map):
     """(CSS class, text) of the verdict of a map: one to three words. The full sentence is below."""
-    if claim_map.holds is None:
-        return "open", "open"
-    if isinstance(claim_map.holds, float):
-        return "open", "holds in part"
-    return ("yes", "holds") if claim_map.holds else ("no", "does not hold")
+    if claim_map.holds in (True, False):
+        return mark(claim_map)
+    return "open", "open" if claim_map.holds is None else "holds in part"
 
 
 def map_html(claim_map, name):
@@ -101,68 +96,62 @@ def map_html(claim_map, name):
     return (f"<div class='claim {kind}'><p>{quoted.format(escape(claim_map.english))} "
             f"{verdict_html(kind, verdict)}</p>{korean}<p><b>{escape(claim_map.sentence)}</b></p>"
             f"{_map_table(claim_map, name)}<p class='rule'>The claim holds in a box "
-            f"({'torn' if claim_map.of_torn else '✓'}) if "
-            f"{escape(claim_map.rule)}. The number in a box: {escape(claim_map.number)}. Click a box to "
-            f"see the commands that repeat it.</p>{note}</div>")
+            f"({'torn' if claim_map.of_torn else '✓'}) if {escape(claim_map.rule)}. The number in a box: "
+            f"{escape(claim_map.number)}. Click a box to see the commands that repeat it.</p>{note}</div>")
 
 
 def map_cells(claim_map, name):
     """The data of the cells of a map for the page's scripts."""
-    for number, (place, cell) in enumerate(sorted(claim_map.cells.items())):
+    for place, id in _ids(claim_map, name).items():
+        cell = claim_map.cells[place]
         if cell.command:
-            status = {True: "holds", False: "fails", None: "none"}[cell.holds]
-            yield {"id": f"{name}-{number}", "title": _place_text(place), "status": status,
+            yield {"id": id, "title": _place_text(place), "status": STATUS[cell.holds],
                    "told": cell.seeds_text if cell.seeds else "", "command": cell.command,
                    "worst": {"label": claim_map.number, "text": cell.text, "held": cell.holds,
                              "note": claim_map.rule}}
 
 
+def _ids(claim_map, name):
+    """Place → id of its cell."""
+    return {place: f"{name}-{number}" for number, place in enumerate(sorted(claim_map.cells))}
+
+
 def _place_text(place):
-    parts = [f"m {place.rounding}"] if place.rounding else []
-    return ", ".join([*parts, f"pinned: {place.pins}", f"N = {place.cells}", f"damping: {place.damping}",
-                      f"substeps × iterations: {place.solver}"])
+    rounding = f"m {place.rounding}, " if place.rounding else ""
+    return (f"{rounding}pinned: {place.pins}, N = {place.cells}, damping: {place.damping}, substeps × "
+            f"iterations: {place.solver}")
 
 
 def _map_table(claim_map, name):
-    ordered = lambda name: sorted({getattr(place, name) for place in claim_map.cells}, key=answer_rank(name))
-    blocks, rows, columns, cells = map(ordered, ("rounding", "damping", "pins", "cells"))
-    solvers, parts = ordered("solver"), []
-    numbers = {place: f"{name}-{i}" for i, place in enumerate(sorted(claim_map.cells))}
-    for block in blocks:
-        head = "".join(f"<th class='group first' colspan={len(cells)}>{escape(pins)}</th>"
-                       for pins in columns)
-        sizes = "".join(f"<th{_first(i)}>{escape(n)}</th>" for _ in columns for i, n in enumerate(cells))
-        body = ""
-        for damping in rows:
-            for i, solver in enumerate(solvers):
-                title = f"<th class=t rowspan={len(solvers)}>{escape(damping)}</th>" if i == 0 else ""
-                places = [(i, Place(block, damping, solver, pins, n)) for pins in columns
-                          for i, n in enumerate(cells)]
-                body += f"<tr>{title}<th class=t>{escape(solver)}</th>" + "".join(
-                    _map_cell(claim_map.cells.get(place), i, numbers.get(place), claim_map.of_torn)
-                    for i, place in places) + "</tr>"
-        title = (f"<caption>m {escape(block)} (eq. 6 does not say how m becomes an integer)</caption>"
-                 if block else "")
-        parts.append(f"<div class='scroll' tabindex='0' role='region' aria-label='Map'><table class='map'>"
-                     f"{title}<thead><tr><th class=t>damping</th><th class=t>substeps × iterations</th>{head}"
-                     f"</tr><tr><th></th><th class=t>pinned ↑, N →</th>{sizes}</tr></thead><tbody>{body}"
-                     "</tbody></table></div>")
-    return "".join(parts)
+    roundings, dampings, solvers, pinned, sizes = (
+        sorted({getattr(place, question) for place in claim_map.cells}, key=answer_rank(question))
+        for question in ("rounding", "damping", "solver", "pins", "cells"))
+    ids, columns = _ids(claim_map, name), list(product(pinned, sizes))
+    first = lambda size: " first" if size == sizes[0] else ""  # the first column of what is pinned
+    over = "".join(f"<th class='group first' colspan={len(sizes)}>{escape(pins)}</th>" for pins in pinned)
+    below = "".join(f"<th{' class=first' if first(size) else ''}>{escape(size)}</th>" for _, size in columns)
+    head = (f"<tr><th class=t>damping</th><th class=t>substeps × iterations</th>{over}</tr>"
+            f"<tr><th></th><th class=t>pinned ↑, N →</th>{below}</tr>")
+    tables = ""
+    for rounding in roundings:
+        rows = ""
+        for damping, solver in product(dampings, solvers):
+            title = f"<th class=t rowspan={len(solvers)}>{escape(damping)}</th>"
+            title = title if solver == solvers[0] else ""  # spans the rows of all solvers
+            places = [Place(rounding, damping, solver, pins, size) for pins, size in columns]
+            cells = [_map_cell(claim_map, place, ids.get(place), first(place.cells)) for place in places]
+            rows += f"<tr>{title}<th class=t>{escape(solver)}</th>{''.join(cells)}</tr>"
+        caption = f"m {rounding} (eq. 6 does not say how m becomes an integer)" if rounding else ""
+        tables += scroll_table(head, rows, "Map", caption=caption, class_="map")
+    return tables
 
 
-def _first(column):
-    return " class=first" if column == 0 else ""
-
-
-def _map_cell(cell, column, name, of_torn):
-    first = " first" if column == 0 else ""
-    if cell is None:
+def _map_cell(claim_map, place, id, first):
+    """A cell of a map. `first`: a CSS class of the first cells of each group of columns, or ""."""
+    if id is None:
         return f"<td class='none{first}'>–</td>"
+    cell, of_torn = claim_map.cells[place], claim_map.of_torn
     good = cell.holds if not of_torn or cell.holds is None else not cell.holds
-    kind = {True: "holds", False: "fails", None: "none"}[good]
     sign = {True: "", False: "torn "} if of_torn else {True: "✓ ", False: "× "}
-    text = sign.get(good, "") + escape(cell.text)
-    if not cell.command:
-        return f"<td class='{kind}{first}'>{text}</td>"
-    return (f"<td class='{kind}{first}' data-run='{name}'><button type='button' class='opens'>{text}"
-            "</button></td>")
+    text, look = sign.get(good, "") + escape(cell.text), STATUS[good] + first
+    return opener(id, text, look) if cell.command else element("td", text, class_=look)

@@ -26,9 +26,9 @@ from pages import accuracy, paper, plain, project, stability, stiffness  # noqa:
 from runs import obstacles, plain_cases, stability_cases, stability_reasons, strips, sweeps  # noqa: E402
 from runs.distance import hausdorff_distance, rms_distance  # noqa: E402
 from tables import looks  # noqa: E402
-from tables.numbers import number, rounded  # noqa: E402
+from tables.numbers import number, rounded, slope  # noqa: E402
 from tables.section import Check, write_objects  # noqa: E402
-from web import stability_matrix, stability_methods  # noqa: E402
+from web import stability_matrix  # noqa: E402
 
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -505,7 +505,7 @@ class FigureTest(unittest.TestCase):
                                  pin_seeds=np.array([0]), positions=lambda frame: SQUARE,
                                  cell=lambda name, frame: np.ones(2))
         figure, axes = style.plt.subplots()
-        cloth.draw_cloth(axes, (square, 0), cloth.camera_of([(square, 0)]), width=40)
+        cloth.draw_cloth(axes, cloth.Panel((square, 0), cloth.camera_of([(square, 0)])), width=40)
         self.assertIn("t = 3.0 s", [text.get_text() for text in axes.texts])
         style.plt.close(figure)
 
@@ -548,7 +548,7 @@ class FigureTest(unittest.TestCase):
             for first, second in itertools.combinations(family, 2):
                 contrast = np.linalg.norm(lab(looks.colour(first), sight) - lab(looks.colour(second), sight))
                 self.assertGreater(contrast, 15, (first, second))  # 2.3 is just noticeable
-        kinds = [{looks.marker(model) for model in family} for family in families]
+        kinds = [{looks.of_model(model)["mark"] for model in family} for family in families]
         for first, second in itertools.combinations(kinds, 2):
             self.assertFalse(first & second)
 
@@ -641,7 +641,7 @@ class StabilityTest(unittest.TestCase):
                  for case, pair in zip(cases, verdicts)
                  for precision, verdict in zip(("single", "double"), pair.split())}
         runs = [hard_run(*place, cell.verdict) for place, cell in cells.items()]
-        rows, _ = stability_matrix.folded(group(runs, lambda run: run["case"]))
+        rows, _ = stability_matrix.told_apart(group(runs, lambda run: run["case"]))
         self.assertEqual(rows, [cases[1].name])  # the last case has no runs
         matrix, uniform = stability_matrix.cases_html(runs)
         self.assertIn("The 2 cases in which all runs have one colour", uniform)
@@ -791,14 +791,14 @@ class StabilityTest(unittest.TestCase):
                 self.by_method(case, "none", "newton, euler", "amber"),
                 self.by_method("start: mirrored", "none", "pbd", "green", 0.5),
                 self.by_method("start: mirrored", "none", "newton, euler", "green", 0.5)]
-        table, alike = stability_methods.table_html(runs)
+        table, alike = stability_matrix.methods_table(runs)
         self.assertIn("data-run='start-random.lod.pbd start-random.none.pbd'", table)  # worst first
         self.assertIn("status red' title='red'>2 of 3<", table)
         self.assertIn("status amber' title='amber'>1 of 1<", table)
         self.assertNotIn("mirrored", table)
         self.assertIn("all green</span>: start poses: mirrored<", alike)
-        self.assertEqual(stability_methods.answer(runs), "Unstable with at least one model: newton, euler in "
-                         "0 of 2; pbd in 1 of 2 cases.")
+        self.assertEqual(stability_matrix.methods_answer(runs), "Unstable with at least one model: newton, "
+                         "euler in 0 of 2; pbd in 1 of 2 cases.")
 
     def test_the_panel_of_a_run_of_a_method(self):
         runs = [hard_run("start: random", "none", "single", "green"),
@@ -863,7 +863,7 @@ class PlainTest(unittest.TestCase):
                                 velocity=np.tile(np.array(velocity, float), (len(rest), 1)),
                                 run=SimpleNamespace(pinned=pinned))
         scene.velocity[scene.pins] = 0
-        scene.mass = plain_cases.Scene._masses(scene)
+        scene.mass = plain_cases.masses(rest, triangles)
         return scene
 
     def test_a_free_fall_has_no_fall_error_and_no_energy_gain(self):
@@ -937,20 +937,20 @@ class PlainTest(unittest.TestCase):
                                places=9)
 
     @staticmethod
-    def judged(value, warning="", status="complete", **settings):
-        return plain_cases.Judged("first", SimpleNamespace(status=status, cpu_s=0.1), settings,
-                                  [plain_cases.Bound("mean strain", value, 0.1, "1")], warning, "")
+    def verdict(value, warning="", status="complete"):
+        return plain_cases.verdict_of(status, [stability_cases.Criterion("mean strain", value, 0.1, "1")],
+                                      warning)
 
     def test_a_broken_bound_without_a_warning_is_silent(self):
-        self.assertEqual(self.judged(0.2).verdict, plain_cases.SILENT)
-        self.assertEqual(self.judged(np.nan).verdict, plain_cases.SILENT)
-        self.assertEqual(self.judged(0.2, "unconverged").verdict, plain_cases.TOLD)
-        self.assertEqual(self.judged(0.05, "unconverged").verdict, plain_cases.SOUND)
-        self.assertEqual(self.judged(0.05, "implausible", "implausible").verdict, plain_cases.ALARM)
+        self.assertEqual(self.verdict(0.2), plain_cases.SILENT)
+        self.assertEqual(self.verdict(np.nan), plain_cases.SILENT)
+        self.assertEqual(self.verdict(0.2, "unconverged"), plain_cases.TOLD)
+        self.assertEqual(self.verdict(0.05, "unconverged"), plain_cases.SOUND)
+        self.assertEqual(self.verdict(0.05, "implausible", "implausible"), plain_cases.ALARM)
 
     def test_a_pair_of_settings_that_fails_is_listed_and_a_single_setting_is_not(self):
         values = [(a, b, c) for a in range(4) for b in range(4) for c in range(4)]
-        row = lambda value, **settings: self.judged(value, **settings).as_json()
+        row = lambda value, **settings: {"verdict": self.verdict(value), "settings": settings}
         together = [row(0.2 if a == b == 1 else 0, a=a, b=b, c=c) for a, b, c in values]
         self.assertEqual([(pair, wrong, runs) for pair, wrong, runs, _ in shares.pairs(together)],
                          [((("a", 1), ("b", 1)), 4, 4)])
@@ -970,9 +970,9 @@ class PlainTest(unittest.TestCase):
                                  "sweep": "forward", "precision": "single"}}
             write_run(Path(folder) / "run.vtkhdf", config, committed=1, status="diverged")
             judged = plain_cases.judge(load.load_run(Path(folder) / "run.vtkhdf"), "first")
-        self.assertEqual([bound.name for bound in judged.broken], ["time not simulated"])
-        self.assertEqual((judged.verdict, judged.told), (plain_cases.TOLD, "diverged"))
-        self.assertEqual(judged.settings["pins"], "an edge")
+        self.assertEqual(judged["broken"], ["time not simulated"])
+        self.assertEqual((judged["verdict"], judged["told"]), (plain_cases.TOLD, "diverged"))
+        self.assertEqual(judged["settings"]["pins"], "an edge")
 
     def test_the_sweeps_in_both_units_have_the_same_rows(self):
         read = lambda name: json.loads((sweeps.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
@@ -993,10 +993,9 @@ class PlainTest(unittest.TestCase):
                                             "/solver/sweep": ["forward"]})
         run = lambda cells, model: SimpleNamespace(point={"/mesh/cells": cells, "/bending/model": model,
                                                           "/solver/sweep": "forward"})
-        strength, held, wanted, absent = shares.coverage(experiment,
-                                                         [run(2, "none"), run(4, "none"), run(2, "lod")])
-        self.assertEqual((strength, held, wanted), (2, 7, 8))
-        self.assertEqual(absent, [(("/mesh/cells", 4), ("/bending/model", "lod"))])
+        runs = [run(2, "none"), run(4, "none"), run(2, "lod")]
+        self.assertEqual(shares.coverage(experiment, runs),
+                         (2, 7, [{"/mesh/cells": 4, "/bending/model": "lod"}]))
 
     def test_a_page_without_runs_says_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -1032,8 +1031,8 @@ class AccuracyTest(unittest.TestCase):
         diverged = self.run_of(0.1, np.nan, status="diverged")
         del diverged.summary["error_physical_rms"]
         self.assertEqual(measures.front([diverged, *runs])[0], cheap)
-        self.assertIs(measures.reaching(runs, 0.2), middle)
-        self.assertIsNone(measures.reaching(runs, 0.05))
+        self.assertIs(measures.reaching(runs, 20), middle)
+        self.assertIsNone(measures.reaching(runs, 5))
 
     def test_a_run_without_an_error_is_not_on_the_front_of_this_error(self):
         run = self.run_of(1, 0.5)
@@ -1041,8 +1040,8 @@ class AccuracyTest(unittest.TestCase):
         self.assertEqual(measures.front([run], against="solver"), [])
 
     def test_slopes_and_costs_of_power_laws(self):
-        self.assertAlmostEqual(measures.slope([1, 2, 8], [3, 3 * 2**1.5, 3 * 8**1.5]), 1.5)
-        self.assertTrue(np.isnan(measures.slope([1], [2])))
+        self.assertAlmostEqual(slope([1, 2, 8], [3, 3 * 2**1.5, 3 * 8**1.5]), 1.5)
+        self.assertTrue(np.isnan(slope([1], [2])))
         runs = [self.run_of(ms, 0.2 / ms**2, against="solver") for ms in (1, 3, 10)]  # 0.01 at √20 ms
         self.assertAlmostEqual(scaling.cost_at(runs, 0.01), np.sqrt(20), places=9)
         self.assertTrue(np.isnan(scaling.cost_at(runs, 1e-5)))
@@ -1071,7 +1070,7 @@ class AccuracyTest(unittest.TestCase):
     def test_no_error_level_below_the_gap_of_the_reference_is_stated(self):
         runs = [self.run_of(1, 0.004, error_physical_reference_gap=0.012),
                 self.run_of(2, 0.03, model="none", error_physical_reference_gap=0.012)]
-        self.assertEqual(measures.known_levels(runs), [0.20, 0.05])
+        self.assertEqual(measures.known_levels(runs), [20, 5])
         # Without a coarser reference
         self.assertEqual(measures.known_levels([self.run_of(1, 0.1)]), list(measures.LEVELS))
         none, dihedral = measures.levels_rows(runs, "", "physical", "")
@@ -1138,8 +1137,8 @@ class AccuracyTest(unittest.TestCase):
 
     def test_the_effect_of_a_remedy_is_the_effect_that_the_scene_does_not_have(self):
         run = lambda *types: SimpleNamespace(get=lambda _: [{"type": kind} for kind in types])
-        self.assertEqual([roads.effect_of(run("gravity", *more)) for more in ((), ("tethers",))],
-                         ["", "tethers"])
+        self.assertEqual([roads.effects_of(run("gravity", *more)) for more in ((), ("tethers",))],
+                         [[], ["tethers"]])
 
     def test_configs_that_share_a_front_have_no_run_twice(self):
         for configs in measures.FRONTS:

@@ -168,7 +168,7 @@ class Open(unittest.TestCase):
             def nearest_to_claim(self):
                 return 2
 
-        verdict = lambda *cases: fig_6._claims({(case.n, 0): case for case in cases})[0].holds
+        verdict = lambda *cases: fig_6._claims(cases)[0].holds
         self.assertIsNone(verdict(Case(64, 0.34)))  # N = 128 was not run
         self.assertIs(verdict(Case(64, 0.34), Case(128, 0.24)), True)
         self.assertIs(verdict(Case(64, 0.34), Case(128, 0.40)), False)

@@ -12,7 +12,6 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
 from bendlab.results import checksum  # noqa: E402
-from draw import far  # noqa: E402
 from draw import frames  # noqa: E402
 from bendlab.results import load  # noqa: E402
 from made_up_runs import facts  # noqa: E402
@@ -79,8 +78,8 @@ class Far(unittest.TestCase):
 
     def test_the_origin_has_round_coordinates(self):
         rest, triangles = grid(np.array([450123.3, -5412345.4, 250]))
-        np.testing.assert_array_equal(far.origin_of(rest, triangles), [450123, -5412345, 250])
-        np.testing.assert_array_equal(far.origin_of(1e-3 * rest, triangles), [450.123, -5412.345, 0.25])
+        np.testing.assert_array_equal(frames.origin_of(rest, triangles), [450123, -5412345, 250])
+        np.testing.assert_array_equal(frames.origin_of(1e-3 * rest, triangles), [450.123, -5412.345, 0.25])
 
 
 if __name__ == "__main__":

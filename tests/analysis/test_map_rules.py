@@ -285,7 +285,7 @@ class Numbers(unittest.TestCase):
         runs = made_up(["paper/map_n"], lambda run: {"drop": run.get("/initial/seed")})[:2]
         self.assertEqual(median(runs, "drop"), 1.5)
         runs[1].summary = {}
-        self.assertTrue(cell(runs, lambda: (str(median(runs, "drop")), True)).open)
+        self.assertTrue(cell(lambda runs: (str(median(runs, "drop")), True), runs).open)
 
 
 if __name__ == "__main__":

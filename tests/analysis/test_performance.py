@@ -138,10 +138,8 @@ class MeasureTest(unittest.TestCase):
     def test_the_title_names_the_effect_whose_cost_grows_most(self):
         by_effect = effects.by_effect(EVERYTHING)
         self.assertEqual(list(by_effect), ["wind", "gravity"])  # the most expensive first
-        self.assertEqual(effects.growth(by_effect["wind"]), 5)
         self.assertIn("1 of 1 effects", effects.title(by_effect))
         self.assertIn("The largest ratio is 5.0 (wind)", effects.title(by_effect))
-        self.assertIn("not timed at 10,000 vertices: gravity (100)", effects.sizes_text(by_effect))
 
     def test_the_known_effects_are_effects_of_the_program(self):
         known = effects.known_effects()
@@ -151,8 +149,7 @@ class MeasureTest(unittest.TestCase):
 
     def test_the_time_of_set_up_in_steps(self):
         # 100 ns per spring, divided by 4 iterations of 2.5 ns.
-        self.assertEqual(set_up.steps(SET_UP[0], self.table(), 4), 10)
-        self.assertIsNone(set_up.steps(SET_UP[0], {}, 4))
+        self.assertEqual(set_up.steps_text(SET_UP), "")
         self.assertIn("Setting up 100,000 springs takes as long as projecting them in 10 steps",
                       set_up.steps_text(EVERYTHING))
         self.assertEqual(set_up.title(SET_UP),
@@ -199,6 +196,7 @@ class PageTest(unittest.TestCase):
     def test_every_row_is_on_the_page_and_in_the_summary(self):
         text, charts, rows = self.page(EVERYTHING)
         self.assertEqual(len(rows), len(EVERYTHING))
+        self.assertIn("not timed at 10,000 vertices: gravity (100)", text)
         self.assertEqual([row["ns_per_vertex"] for row in rows[:2]], [10, 6])
         self.assertIsNone(next(row for row in rows if row["name"] == "convergence/corner/1")["ns_per_vertex"])
         timed = len(EVERYTHING) - len(ORDER)

@@ -4,100 +4,82 @@ consists of the runs for which no other run of the model has less time and a sma
 import numpy as np
 
 from bendlab.results.load import by_model
-from figures.accuracy import measures
-from tables.chart import Chart
+from figures.accuracy.measures import (FRONTS, LEVELS, cells, complete_runs, cost, error, experiment_runs,
+                                       front, front_rows, gap, known_levels, levels_rows, levels_table,
+                                       name_of, percent, reaching, row, table)
 from tables.numbers import number
 
-MEASURES = (("physical", "the stated cloth"), ("solver", "its own equilibrium"))
+PHYSICAL = "the stated cloth"
 STATED = 5e-5  # B of the cloth in N m, as in configs/accuracy
-SCENES = {"curtain on two pins, 24 cells": (measures.FRONTS[0], "paper"),
-          "cantilever, 12 cells": (measures.FRONTS[1], "paper_cantilever")}
+CANTILEVER, CURTAIN = "cantilever, 12 cells", "curtain on two pins, 24 cells"
+# Scene → configs of the stated cloth, config of the paper's setting (10 iterations, 1/60 s, k = 0.5)
+SCENES = {CURTAIN: (FRONTS[0], "paper"), CANTILEVER: (FRONTS[1], "paper_cantilever")}
 # Scenes with many equilibria
 BASINS = {"drape, 20 cells": "front_drape_slow", "sheet on one pin, 20 cells": "front_one_pin_slow"}
-PAPER = "the paper's setting"  # 10 iterations, 1/60 s, k = 0.5
 
 
 def main(results, out, section):
-    scenes = {scene: (measures.experiment_runs(results, section, *stated),
-                      measures.experiment_runs(results, section, paper))
+    scenes = {scene: (experiment_runs(results, section, *stated), experiment_runs(results, section, paper))
               for scene, (stated, paper) in SCENES.items()}
-    scenes |= {scene: ([run for run in measures.experiment_runs(results, section, config) if run.complete],
-                       [])
-               for scene, config in BASINS.items()}
+    scenes[CURTAIN][0].extend(run for run in experiment_runs(results, section, "beat") if cells(run) == 24)
+    scenes |= {scene: (complete_runs(results, section, config), []) for scene, config in BASINS.items()}
     scenes = {scene: runs for scene, runs in scenes.items() if runs[0]}
     if not scenes:
         return
-    gaps = {scene: measures.gap(stated) for scene, (stated, _) in scenes.items() if scene in SCENES}
-    levels = [row for scene, (stated, _) in scenes.items()
-              for against, meaning in (MEASURES if scene in SCENES else MEASURES[:1])
-              for row in measures.levels_rows(stated, scene, against, meaning)]
-    section.tables = [measures.levels_table(levels), _within(levels), _fronts(scenes), _best(scenes),
-                      *([_stiffness(sum(scenes["cantilever, 12 cells"], []))]
-                        if "cantilever, 12 cells" in scenes
-                        else [])]
-    uncertain = ", ".join(f"{scene} {number(100 * gap, 2)} %" for scene, gap in gaps.items()
-                          if np.isfinite(gap))
-    section.charts = [
-        Chart("fronts", "Error against time", "fronts", "ms", ["error_physical", "error_solver"], ["curve"],
-              held=["scene"], at=list(scenes)[0], y_scale="log", on_top=True,
-              note="Each curve is the front of a model: the runs for which no other run of the model has "
-                   f"less time and a smaller error. Smaller errors than these are not known, because the "
-                   f"reference is not exact: {uncertain}. Click a point to open its run."),
-        Chart("levels", "Models near the stated cloth", "within", "name", ["ms"], ["within"], held=["scene"],
-              scale="band", look="", y_scale="log",
-              at=list(scenes)[0],
-              note="CPU time per frame of the cheapest run of each model within an error from the stated "
-                   "cloth. A model without a mark has no run with so small an error. "
-              + ". ".join(message(scene, stated) for scene, (stated, _) in scenes.items()) + ".")]
+    levels, fronts, best, uncertain = [], [], [], []
+    for scene, (stated, paper) in scenes.items():
+        levels += levels_rows(stated, scene, "physical", PHYSICAL)
+        for model, own_runs in by_model(stated).items():
+            fronts += front_rows(own_runs, scene=scene, curve=name_of(model))
+        fronts += [row(run) | {"scene": scene, "curve": f"{name_of(run.model)}, the paper's setting"}
+                   for run in paper if np.isfinite(error(run))]
+        if scene in SCENES:
+            levels += levels_rows(stated, scene, "solver", "its own equilibrium")
+            best += front_rows(stated + paper, scene=scene)
+            if np.isfinite(gap(stated)):
+                uncertain.append(f"{scene} {percent(gap(stated))}")
+    # A row for each model and target error, with the least time to this error
+    within = [{name: of_model[name] for name in ("scene", "name", "model")}
+              | {"within": f"within {level} %", "ms": of_model[f"ms_{level}"],
+                 "runs": [of_model[f"run_{level}"]]}
+              for of_model in levels if of_model["against"] == PHYSICAL for level in LEVELS
+              if of_model[f"run_{level}"]]
+    section.tables = [
+        levels_table(levels), table("within", "", ["scene", "name", "within", "ms"], within),
+        table("fronts", "The front (the best runs) of each model", [
+            "scene", ("curve", "model"), "settings", "ms", "projections", "error_physical", "error_solver"],
+            fronts),
+        table("best", "The front over all models", [
+            "scene", "name", "settings", "ms", "projections", "error_physical"], best)]
+    if CANTILEVER in scenes:
+        rows = [row(run) | {"B": run.summary.get("stiffness_flexural_rigidity", np.nan) / STATED}
+                for own_runs in by_model(sum(scenes[CANTILEVER], [])).values() for run in front(own_runs)]
+        section.tables.append(table("stiffness", "Cantilever: the error of the stiffness", [
+            "name", "settings", "ms", ("B", "B measured over B stated"), "error_physical"], rows))
+    section.add_chart(
+        "fronts", "Error against time", "ms", ["error_physical", "error_solver"], ["curve"], held=["scene"],
+        at=list(scenes)[0], y_scale="log", on_top=True,
+        note="Each curve is the front of a model: the runs for which no other run of the model has less time "
+             "and a smaller error. Smaller errors than these are not known, because the reference is not "
+             f"exact: {', '.join(uncertain)}. Click a point to open its run.")
+    messages = ". ".join(message(scene, stated) for scene, (stated, _) in scenes.items())
+    section.add_chart(
+        "within", "Models near the stated cloth", "name", ["ms"], ["within"], id="levels", held=["scene"],
+        at=list(scenes)[0], scale="band", look="", y_scale="log",
+        note="CPU time per frame of the cheapest run of each model within an error from the stated cloth. A "
+             f"model without a mark has no run with so small an error. {messages}.")
 
 
 def message(scene, stated):
     """Text: which models reach errors of 5 % and 1 % in the least time in a scene."""
     parts = []
-    for level in (0.05, 0.01):
-        if level < measures.gap(stated):
-            parts.append(f"errors of {100 * level:g} % are not known")
-            continue
-        run = measures.reaching(stated, level)
-        parts.append(f"{measures.name_of(run.model)} reaches {100 * level:g} % in the least time, "
-                     f"{number(measures.cost(run), 2)} ms" if run else
-                     f"no model reaches {100 * level:g} %")
+    for level in LEVELS[1:]:
+        run = reaching(stated, level)
+        if level not in known_levels(stated):
+            parts.append(f"errors of {level} % are not known")
+        elif run:
+            parts.append(f"{name_of(run.model)} reaches {level} % in the least time, "
+                         f"{number(cost(run), 2)} ms")
+        else:
+            parts.append(f"no model reaches {level} %")
     return f"{scene}: {', '.join(parts)}"
-
-
-def _within(levels):
-    """One row per model and target error, with the least time to this error."""
-    rows = [{"scene": row["scene"], "name": row["name"], "model": row["model"],
-             "within": f"within {100 * level:g} %",
-             "ms": row[f"ms_{100 * level:g}"], "runs": [row[f"run_{100 * level:g}"]]}
-            for row in levels if row["against"] == MEASURES[0][1] for level in measures.LEVELS
-            if row[f"ms_{100 * level:g}"] is not None]
-    return measures.table("within", "", ["scene", "name", "within", "ms"], rows)
-
-
-def _fronts(scenes):
-    rows = []
-    for scene, (stated, paper) in scenes.items():
-        for model, own_runs in by_model(stated).items():
-            rows += [measures.row(run) | {"scene": scene, "curve": measures.name_of(model)}
-                     for run in measures.front(own_runs)]
-        rows += [measures.row(run) | {"scene": scene, "curve": f"{measures.name_of(run.model)}, {PAPER}"}
-                 for run in paper if np.isfinite(measures.error(run))]
-    return measures.table("fronts", "The front (the best runs) of each model", [
-        "scene", ("curve", "model"), "settings", "ms", "projections", "error_physical", "error_solver"], rows)
-
-
-def _best(scenes):
-    rows = [measures.row(run) | {"scene": scene} for scene, (stated, paper) in scenes.items()
-            if scene in SCENES
-            for run in measures.front(stated + paper)]
-    return measures.table("best", "The front over all models", [
-        "scene", "name", "settings", "ms", "projections", "error_physical"], rows)
-
-
-def _stiffness(runs):
-    """For the runs in the fronts of the cantilever: measured stiffness over stated stiffness."""
-    rows = [measures.row(run) | {"B": run.summary.get("stiffness_flexural_rigidity", np.nan) / STATED}
-            for own_runs in by_model(runs).values() for run in measures.front(own_runs)]
-    return measures.table("stiffness", "Cantilever: the error of the stiffness", [
-        "name", "settings", "ms", ("B", "B measured over B stated"), "error_physical"], rows)

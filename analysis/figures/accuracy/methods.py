@@ -3,46 +3,43 @@ import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.load import group
-from figures.accuracy import measures
-from tables import looks
-from tables.chart import Chart
+from figures.accuracy.measures import (LEVEL_COLUMNS, LEVELS, cells, complete_runs, cost, frames,
+                                       front_rows, level_cells, name_of, reaching, row, solver_error, table,
+                                       work)
+from tables.numbers import slope
 
-PAPER = 1, 10  # substeps, iterations
-REST = ("methods_slow", "methods_96_slow", "methods_192_slow")
+LEVEL = 1  # %; the error to which the title, the text and the set-up table refer
 
 
 def main(results, out, section):
-    def complete(*names):
-        runs = measures.experiment_runs(results, section, *names)
-        return [run for run in runs if run.complete or run.status == "implausible"]
-
-    rest, stiffness = complete(*REST), complete("methods_stiffness_slow")
-    models, motion = complete("methods_models_slow"), complete("methods_motion_slow")
+    rest, stiffness, models, motion = (complete_runs(results, section, *names) for names in (
+        ("methods_slow", "methods_96_slow", "methods_192_slow"), ("methods_stiffness_slow",),
+        ("methods_models_slow",), ("methods_motion_slow",)))
     if stiffness:
-        stiffness += [run for run in rest if run.get("/mesh/cells") == 48]
+        stiffness += [run for run in rest if cells(run) == 48]
     section.text += " " + _growth(rest)
     for id, runs, scene_of, title, note in (
-            ("at_rest", rest, by_cells, _message(rest), "A sheet of 40 cm hangs on two patches for 3 s. "
-                                                        "Times include the single factorisation of a run."),
+            ("at_rest", rest, by_cells, _message(rest),
+             "A sheet of 40 cm hangs on two patches for 3 s. Times include the single factorisation of a "
+             "run."),
             ("membranes", stiffness, by_stiffness, "The method matters most for a stiff membrane",
              "48 cells. Y is the membrane's stiffness."),
-            ("models", models, lambda run: looks.model_name(run.model, 2), "Methods over bending models",
-             "48 cells."),
+            ("models", models, lambda run: name_of(run.model), "Methods over bending models", "48 cells."),
             ("in_motion", motion, by_cells, "The first half second: with few iterations a method lags behind",
              "The reference is Newton's method in 12 substeps of BDF2.")):
-        if not runs:
-            continue
-        section.tables += [_fronts(id, runs, scene_of), _table(f"{id}_levels", runs, scene_of, title)]
-        section.charts.append(Chart(
-            id, title, id, "ms", ["error_solver"], ["kind"], held=["scene"], y_scale="log", look="method",
-            limits=[("error_solver", 1, "1 %")], note=f"{note} A curve has the runs of a method "
-                                                      f"with the least time for an error.{_left_out(runs)}"))
+        if runs:
+            section.add_chart(
+                _fronts(id, runs, scene_of), title, "ms", ["error_solver"], ["kind"], held=["scene"],
+                y_scale="log", look="method", limits=[("error_solver", 1, "1 %")],
+                note=f"{note} A curve has the runs of a method with the least time for an error."
+                     f"{_left_out(runs)}")
+            section.tables.append(_levels(f"{id}_levels", runs, scene_of, title))
     if rest:
         section.tables.append(_set_up_table(rest))
 
 
 def by_cells(run):
-    return f"{run.get('/mesh/cells'):3d} cells"
+    return f"{cells(run):3d} cells"
 
 
 def by_stiffness(run):
@@ -60,23 +57,21 @@ def kind_of(run):
     return f"{method}, euler" if by_euler else method
 
 
-def _by_kind(runs):
-    return sorted(group(runs, kind_of).items(),
-                  key=lambda entry: (registry.method_place(entry[0].split(", ")[0]), entry[0]))
+def by_kind(runs, scene_of):
+    """[(scene, method, runs)] in the order of scenes and of the program's methods."""
+    place = lambda entry: (entry[0][0], registry.method_place(entry[0][1].split(", ")[0]), entry[0][1])
+    groups = group(runs, lambda run: (scene_of(run), kind_of(run)))
+    return [(scene.strip(), kind, own_runs) for (scene, kind), own_runs in sorted(groups.items(), key=place)]
 
 
-def _error(run):
-    return measures.error(run, against="solver")
-
-
-def _is_drawn(run):
-    return _error(run) <= 1  # with an error of more than its size, a cloth has flown apart
+def is_drawn(run):
+    return solver_error(run) <= 1  # with an error of more than its size, a cloth has flown apart
 
 
 def _left_out(runs):
     """Sentences: how many runs a chart does not show, and why."""
-    unknown = sum(np.isnan(_error(run)) for run in runs)
-    apart = sum(not _is_drawn(run) for run in runs) - unknown
+    unknown = sum(np.isnan(solver_error(run)) for run in runs)
+    apart = sum(not is_drawn(run) for run in runs) - unknown
     text = ""
     if apart:
         text += f" Not drawn: {apart} of {len(runs)} runs, whose error is larger than the sheet's size."
@@ -87,93 +82,69 @@ def _left_out(runs):
 
 
 def _fronts(id, runs, scene_of):
-    rows = [measures.row(run) | {"scene": scene.strip(), "kind": kind, "method": kind}
-            for scene, in_scene in sorted(group([run for run in runs if _is_drawn(run)], scene_of).items())
-            for kind, of_kind in _by_kind(in_scene) for run in measures.front(of_kind, against="solver")]
-    rows += [measures.row(run)
-             | {"scene": scene_of(run).strip(), "kind": "the paper's 1 × 10", "method": "pbd"}
-             for run in runs if _is_drawn(run) and kind_of(run) == "pbd"
-             and (run.get("/solver/substeps"), run.get("/solver/iterations")) == PAPER]
-    return measures.table(id, "", ["scene", ("kind", "method"), "settings", "ms", "error_solver"], rows)
+    drawn = [run for run in runs if is_drawn(run)]
+    rows = []
+    for scene, kind, own_runs in by_kind(drawn, scene_of):
+        rows += front_rows(own_runs, "solver", scene=scene, kind=kind, method=kind)
+    rows += [row(run) | {"scene": scene_of(run).strip(), "kind": "the paper's 1 × 10", "method": "pbd"}
+             for run in drawn if kind_of(run) == "pbd" and work(run) == "1 × 10"]
+    return table(id, "", ["scene", ("kind", "method"), "settings", "ms", "error_solver"], rows)
 
 
-def _cheapest(runs, level):
-    run = measures.reaching(runs, level, against="solver")
-    return (measures.cost(run), run) if run else (np.nan, None)
-
-
-def gains(runs, level=0.01):
-    """{cells: (ratio, method)}. `method` is the fastest method for an error of `level`. XPBD without coarse
-    levels takes `ratio` times as long."""
-    ratios = {}
-    for cells, of_size in sorted(group(runs, lambda run: run.get("/mesh/cells")).items()):
-        kinds = group(of_size, kind_of)
-        mine, _ = _cheapest(kinds.pop("pbd", []), level)
-        costs = {kind: _cheapest(own_runs, level)[0] for kind, own_runs in kinds.items()}
-        known = {kind: cost for kind, cost in costs.items() if np.isfinite(cost)}
-        if np.isfinite(mine) and known:
-            best = min(known, key=known.get)
-            ratios[cells] = (mine / known[best], best)
-    return ratios
+def cheapest(runs, level=LEVEL):
+    return reaching(runs, level, "solver")
 
 
 def _message(runs):
-    ratios = gains(runs)
-    if not ratios:
+    """The title: how much longer than the fastest other method XPBD takes for an error of LEVEL."""
+    times = []
+    for count, of_size in sorted(group(runs, cells).items()):
+        costs = {kind: cost(run) for kind, own_runs in group(of_size, kind_of).items()
+                 if (run := cheapest(own_runs))}
+        xpbd = costs.pop("pbd", None)
+        if xpbd and costs:
+            times.append(f"{xpbd / min(costs.values()):.1f} × at {count}")
+    if not times:
         return "Error at rest over CPU time, for each solver method"
-    times = ", ".join(f"{ratio:.1f} × at {cells}" for cells, (ratio, _) in ratios.items())
-    return f"For an error of 1 % at rest XPBD takes longer than the fastest method: {times} cells"
+    return f"For an error of 1 % at rest XPBD takes longer than the fastest method: {', '.join(times)} cells"
 
 
 def _growth(runs):
-    """A sentence: the exponents p if the time to an error of 1 % grows as verticesᵖ."""
+    """A sentence: the exponents p if the time to an error of LEVEL grows as verticesᵖ."""
     powers = []
     for kind, own_runs in group(runs, kind_of).items():
-        points = [(len(run.rest_positions), cost) for _, of_size in group(own_runs, by_cells).items()
-                  for cost, run in [_cheapest(of_size, 0.01)] if run]
+        points = [(len(run.rest_positions), cost(run))
+                  for of_size in group(own_runs, by_cells).values() if (run := cheapest(of_size))]
         if len(points) > 2:
-            powers.append(f"{measures.slope(*zip(*points)):.1f} for {kind}")
+            powers.append(f"{slope(*zip(*points)):.1f} for {kind}")
     return ("The time to an error of 1 % grows as the number of vertices to the power "
             f"{', '.join(powers)}." if powers else "")
 
 
-def _settings(run):
-    return f"{run.get('/solver/substeps')} × {run.get('/solver/iterations')}" if run else "not reached"
-
-
-def _table(id, runs, scene_of, caption):
+def _levels(id, runs, scene_of, caption):
     rows = []
-    for scene, of_size in sorted(group(runs, scene_of).items()):
-        for kind, own_runs in _by_kind(of_size):
-            row = {"scene": scene.strip(), "method": kind}
-            for level in measures.LEVELS:
-                cost, run = _cheapest(own_runs, level)
-                row |= {f"ms_{100 * level:g}": cost,
-                        f"settings_{100 * level:g}": _settings(run)}
-            least = min(own_runs, key=lambda run: np.nan_to_num(_error(run), nan=np.inf))
-            rows.append(row | {"least": 100 * _error(least), "memory": measures.row(least)["memory"]})
-    columns = [part for level in measures.LEVELS for part in (
-        (f"ms_{100 * level:g}", f"time to {100 * level:g} %", "", "ms per frame"),
-        (f"settings_{100 * level:g}", "substeps × iterations"))]
-    return measures.table(id, f"{caption}: least times to three errors; the least error of all runs, and the "
-                              "memory that the method's arrays take in the run with this error", [
-                              "scene", "method", *columns, ("least", "least error", "", "%"), "memory"], rows)
+    for scene, kind, own_runs in by_kind(runs, scene_of):
+        rows.append({"scene": scene, "method": kind})
+        for level in LEVELS:
+            run = cheapest(own_runs, level)
+            rows[-1] |= level_cells(level, run, work(run) if run else "not reached")
+        least = min(own_runs, key=lambda run: np.nan_to_num(solver_error(run), nan=np.inf))
+        rows[-1] |= {"least": 100 * solver_error(least), "memory": row(least)["memory"]}
+    return table(id, f"{caption}: least times to three errors; the least error of all runs, and the memory "
+                     "that the method's arrays take in the run with this error", [
+        "scene", "method", *LEVEL_COLUMNS, ("least", "least error", "", "%"), "memory"], rows)
 
 
 def _set_up_table(runs):
     """Set-up times of the cheapest run with an error of 1 %, for each method and size."""
     rows = []
-    for scene, of_size in sorted(group(runs, by_cells).items()):
-        for kind, own_runs in _by_kind(of_size):
-            _, run = _cheapest(own_runs, 0.01)
-            if run is None:
-                continue
+    for scene, kind, own_runs in by_kind(runs, by_cells):
+        if run := cheapest(own_runs):
             set_up, factor = 1e3 * run.passes.get("set_up", np.nan), 1e3 * run.passes.get("factorise", 0)
-            frames = measures.FRAMES_PER_SECOND * measures.simulated(run)
-            rows.append({"scene": scene.strip(), "method": kind, "set_up": set_up, "factor": factor or None,
-                         "without": measures.cost(run) - factor / frames, "with_factor": measures.cost(run),
-                         "with_both": measures.cost(run) + set_up / frames})
-    return measures.table(
+            rows.append({"scene": scene, "method": kind, "set_up": set_up, "factor": factor or None,
+                         "without": cost(run) - factor / frames(run), "with_factor": cost(run),
+                         "with_both": cost(run) + set_up / frames(run)})
+    return table(
         "set_up", "Set-up of the cheapest run with an error of 1 %. Set-up makes the mesh, its constraints "
                   "and their order. Factorisation is the one factorisation of quasi_newton; newton's "
                   "factorisations count as steps. The last two columns include these times, divided by the "

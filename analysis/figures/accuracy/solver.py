@@ -3,68 +3,75 @@ precision."""
 import numpy as np
 
 from bendlab.results.load import by_model, group
-from figures.accuracy import measures
-from tables.chart import Chart
+from figures.accuracy.measures import (FRONTS, complete_runs, cost, experiment_runs, name_of, row,
+                                       solver_error, substeps, table, work)
 from tables.numbers import number
-from tables.table import Table
 
 EQUAL = (16, 64, 256)  # substeps × iterations
+ORDERS = {"colour": "colour", "mesh": "list", "pins": "from the pins"}
 
 
 def main(results, out, section):
-    stated = [run for run in measures.experiment_runs(results, section, *measures.FRONTS[0]) if run.complete]
-    time_step = measures.experiment_runs(results, section, "time_step")
-    precision = measures.experiment_runs(results, section, "precision_slow")
-    order = measures.experiment_runs(results, section, "order_slow")
-    by_work = [measures.row(run) | {"work": np.prod(split(run)).item()} for run in stated
-               if np.prod(split(run)) in EQUAL and np.isfinite(measures.error(run, against="solver"))]
-    steps = [measures.row(run) | {"rate": round(1 / run.get("/solver/dt"))} for run in time_step]
-    section.tables = [
-        measures.table("work", "Equal work in substeps and iterations", [
+    stated = complete_runs(results, section, *FRONTS[0])
+    time_step, precision, order = (experiment_runs(results, section, name)
+                                   for name in ("time_step", "precision_slow", "order_slow"))
+    models = by_model(stated)
+    gains = {(model, equal): value for model, own_runs in models.items() for equal in EQUAL
+             if np.isfinite(value := gain(own_runs, equal))}
+    between = {(model, equal): best_between(along(models[model], equal)) for model, equal in gains}
+    section.add_chart(
+        table("work", "Equal work in substeps and iterations", [
             "name", ("work", "substeps × iterations"), ("substeps", "substeps"), "error_solver", "ms"],
-                       by_work),
-        measures.table("steps", "64 iterations per 1/60 s in time steps of different length", [
-            "name", ("rate", "time steps per second, 3840 iterations in all"), "error_solver", "ms"], steps),
-        measures.table("precision", "Single and double precision", [
+            [row(run) | {"work": projections(run)} for run in stated
+             if projections(run) in EQUAL and np.isfinite(solver_error(run))]),
+        "Substeps or iterations, at equal work", "substeps", ["error_solver", "ms"], ["name"], held=["work"],
+        scale="log2", y_scale="log",
+        note=f"{message(gains, between)}. Left: all iterations in a substep. Right: one iteration per "
+             "substep. Single precision. dihedral, bridson and discrete_shells are the same hinge with three "
+             "stiffnesses; their curves coincide.")
+    section.add_chart(
+        table("steps", "64 iterations per 1/60 s in time steps of different length", [
+            "name", ("rate", "time steps per second, 3840 iterations in all"), "error_solver", "ms"],
+            [row(run) | {"rate": round(1 / run.get("/solver/dt"))} for run in time_step]),
+        f"At equal work the smallest time step has the smallest error for {finest_best(time_step)} models",
+        "rate", ["error_solver"], ["name"], scale="log2", y_scale="log")
+    section.add_chart(
+        table("precision", "Single and double precision", [
             "name", "precision", ("substeps", "substeps of one symmetric iteration"), "error_solver", "ms"],
-            [measures.row(run) for run in precision]),
-        *([_order_table(order)] if order else [])]
-    gains = {(model, work): value for model, own_runs in by_model(stated).items() for work in EQUAL
-             if np.isfinite(value := gain(own_runs, work))}
-    between = {(model, work): best_between(along(by_model(stated)[model], work)) for model, work in gains}
-    section.charts = [
-        Chart("work", "Substeps or iterations, at equal work", "work", "substeps", ["error_solver", "ms"],
-              ["name"], held=["work"],
-              scale="log2", y_scale="log",
-              note=message(gains, between) + ". Left: all iterations in a substep. Right: one iteration per "
-                                             "substep. Single precision. dihedral, bridson and "
-                                             "discrete_shells are the same hinge with three stiffnesses; "
-                                             "their curves coincide."),
-        Chart("steps", "At equal work the smallest time step has the smallest error for "
-                       f"{finest_best(time_step)} models", "steps", "rate", ["error_solver"], ["name"],
-              scale="log2", y_scale="log"),
-        Chart("precision", "The error in single precision is up to × "
-                           f"{number(worst_of_single(precision), 2)} the error in double", "precision",
-              "substeps", ["error_solver"], ["name", "precision"],
-              scale="log2",
-              y_scale="log")]
+            map(row, precision)),
+        f"The error in single precision is up to × {number(worst_of_single(precision), 2)} the error in "
+        "double", "substeps", ["error_solver"], ["name", "precision"], scale="log2", y_scale="log")
+    rows = {}
+    for run in order:
+        settings = f"{work(run)} {run.get('/solver/sweep')}"
+        place = run.get("/solver/order")
+        own_row = rows.setdefault((run.model, settings), {"name": name_of(run.model), "settings": settings})
+        own_row |= {f"error_{place}": 100 * solver_error(run), f"ms_{place}": cost(run)}
+    section.add_table("order", "Order of the constraints at equal work", [
+        ("name", "model"), ("settings", "substeps × iterations"),
+        *(column for place, label in ORDERS.items() for column in (
+            (f"error_{place}", f"error, {label}", "", "%"), (f"ms_{place}", "time", "", "ms")))],
+        rows.values())
 
 
-def split(run):
-    return run.get("/solver/substeps"), run.get("/solver/iterations")
+def projections(run):
+    return substeps(run) * run.get("/solver/iterations")
 
 
-def gain(runs, work):
+def errors_at(runs, equal):
+    """Substeps → error of the runs with this work."""
+    return {substeps(run): solver_error(run) for run in runs if projections(run) == equal}
+
+
+def gain(runs, equal):
     """Error with one substep over error with one iteration per substep, at equal work. NaN if unknown."""
-    errors = {split(run): measures.error(run, against="solver") for run in runs}
-    return errors.get((1, work), np.nan) / errors.get((work, 1), np.nan)
+    errors = errors_at(runs, equal)
+    return errors.get(1, np.nan) / errors.get(equal, np.nan)
 
 
-def along(runs, work):
-    """(substeps, error) of all runs with this work, sorted by substeps."""
-    line = {split(run)[0]: measures.error(run, against="solver") for run in runs
-            if np.prod(split(run)) == work}
-    return [(substeps, error) for substeps, error in sorted(line.items()) if np.isfinite(error)]
+def along(runs, equal):
+    """(substeps, error) of all runs with this work and a finite error, sorted by substeps."""
+    return sorted(point for point in errors_at(runs, equal).items() if np.isfinite(point[1]))
 
 
 def best_between(line):
@@ -76,48 +83,28 @@ def message(gains, between):
     """Text: how often and how much many substeps are better than many iterations; when a mixture is best."""
     if not gains:
         return "Substeps against iterations"
-    wins = sum(value > 1 for value in gains.values())
-    (best, most), (worst, least) = (pick(gains, key=gains.get) for pick in (max, min))
-    mixed = ", ".join(f"{sum(answers)} of {len(answers)} at work {work}" for work in EQUAL
-                      if (answers := [best for (_, at), best in between.items() if at == work
-                                      and best is not None]))
-    return (f"In {wins} of {len(gains)} comparisons one iteration per substep has a smaller error than one "
-            f"substep with all iterations: × {number(np.median(list(gains.values())), 2)} (median), from × "
-            f"{number(gains[worst, least], 2)} ({measures.name_of(worst)}, work {least}) to × "
-            f"{number(gains[best, most], 2)} ({measures.name_of(best)}, work {most}). "
-            f"Several iterations in each of several substeps are best in {mixed or 'none'}")
+    least, most = (f"{number(gains[model, equal], 2)} ({name_of(model)}, work {equal})"
+                   for model, equal in (min(gains, key=gains.get), max(gains, key=gains.get)))
+    answers = {equal: [best for (_, at), best in between.items() if at == equal and best is not None]
+               for equal in EQUAL}
+    mixed = ", ".join(f"{sum(known)} of {len(known)} at work {equal}"
+                      for equal, known in answers.items() if known)
+    return (f"In {sum(value > 1 for value in gains.values())} of {len(gains)} comparisons one iteration per "
+            "substep has a smaller error than one substep with all iterations: × "
+            f"{number(np.median(list(gains.values())), 2)} (median), from × {least} to × {most}. Several "
+            f"iterations in each of several substeps are best in {mixed or 'none'}")
 
 
 def finest_best(runs):
     """Text like '3 of 4': for how many models the smallest time step has the smallest error."""
-    models = by_model(runs).values()
-    best = [min(own_runs, key=lambda run: measures.error(run, against="solver")) for own_runs in models]
-    finest = min((run.get("/solver/dt") for run in runs), default=None)
-    return f"{sum(run.get('/solver/dt') == finest for run in best)} of {len(best)}"
+    best = [min(own_runs, key=solver_error).get("/solver/dt") for own_runs in by_model(runs).values()]
+    return f"{best.count(min((run.get('/solver/dt') for run in runs), default=None))} of {len(best)}"
 
 
 def worst_of_single(runs):
     """The largest ratio of the errors in single and in double precision, at equal settings."""
     worst = 1.0
-    for pair in group(runs, lambda run: (run.model, run.get("/solver/substeps"))).values():
-        errors = {run.get("/solver/precision"): measures.error(run, against="solver") for run in pair}
+    for pair in group(runs, lambda run: (run.model, substeps(run))).values():
+        errors = {run.get("/solver/precision"): solver_error(run) for run in pair}
         worst = np.fmax(worst, errors.get("single", np.nan) / errors.get("double", np.nan))
     return worst
-
-
-def _order_table(runs):
-    rows = []
-    for (model, substeps, sweep), own_runs in group(runs, lambda run: (run.model, run.get("/solver/substeps"),
-                                                                       run.get("/solver/sweep"))).items():
-        row = {"name": measures.name_of(model),
-               "settings": f"{substeps} × {own_runs[0].get('/solver/iterations')} {sweep}"}
-        for run in own_runs:
-            order = run.get("/solver/order")
-            row |= {f"error_{order}": 100 * measures.error(run, against="solver"),
-                    f"ms_{order}": measures.cost(run)}
-        rows.append(row)
-    columns = [part for order, label in (("colour", "colour"), ("mesh", "list"), ("pins", "from the pins"))
-               for part in ((f"error_{order}", f"error, {label}", "", "%"),
-                            (f"ms_{order}", "time", "", "ms"))]
-    return Table.of("order", "Order of the constraints at equal work",
-                    [("name", "model"), ("settings", "substeps × iterations"), *columns], rows)

@@ -2,103 +2,88 @@
 import numpy as np
 
 from draw import cloth
+from figures.paper.promise import ms_per_frame
+from figures.paper.scenes import frame_at
+from runs.sweeps import used_runs
+from tables.looks import model_name
 from tables.numbers import number
-from tables import looks
-from tables.chart import Chart
-from tables.section import Claim
-from tables.table import Table
-from runs.sweeps import load_experiment
+from tables.section import Claim, Table
 
-# Scene → time of the picture, s.
-SCENES = {"storm": 2.0, "snatch": 0.6}
+SCENES = {"storm": 2.0, "snatch": 0.6}  # scene → time of the picture, s
 MOST = 1.15  # largest allowed stretch; this number was chosen before the first run
 WHOSE = {"paper": "the paper’s", "recommended": "our defaults"}
 SPRINGS = ["crossover", "adaptive", "lod"]
-ROWS = [*(("paper", model) for model in SPRINGS), ("recommended", "discrete_shells")]
+OURS = ("recommended", "discrete_shells")
+ROWS = [*(("paper", model) for model in SPRINGS), OURS]
 
 
 def main(results, out, section):
-    scenes = {name: {(run.point["/defaults"], run.model): run for run in
-                     section.uses(load_experiment(results, f"scenes/{name}"))} for name in SCENES}
+    scenes = {name: {(run.point["/defaults"], run.model): run
+                     for run in used_runs(section, results, f"scenes/{name}")} for name in SCENES}
     scenes = {name: runs for name, runs in scenes.items() if runs}
     if scenes:
         section.pictures.append((_picture(scenes, out), "The cloth at the time in the upper corner. All "
-                                                        "panels of a row have one camera. The number in "
-                                                        "the lower corner is the largest stretch σ₁ at any "
-                                                        "time. σ₁ is the length of a triangle over its "
-                                                        "length at rest, in the most stretched direction."))
-    section.tables += [_table(scenes), _over_time(scenes)]
-    section.charts.append(Chart("large_forces", _title(scenes), "stretch_over_time", "time", ["max_stretch"],
-                                ["settings", "model"], held=["scene"], scale="linear", y_scale="log",
-                                note="The largest stretch of each recorded frame."))
-    section.claims.append(_claim(scenes))
+                                 "panels of a row have one camera. The number in the lower corner is the "
+                                 "largest stretch σ₁ at any time. σ₁ is the length of a triangle over its "
+                                 "length at rest, in the most stretched direction."))
+    metrics = [("worst_stretch", "largest σ₁ at any time"),
+               ("max_stretch", "max σ₁, median of the last second"),
+               ("mean_strain", "mean strain, median of the last second")]
+    section.add_table(
+        "large_forces", "Every run",
+        ["scene", "settings", "model", ("status", "verdict"), *metrics,
+         ("ms", "CPU time per step of 1/60 s", "", "ms")],
+        [{"scene": name, "settings": defaults, "model": model, "status": run.status, "ms": ms_per_frame(run)}
+         | {metric: run.summary.get(metric) for metric, _ in metrics}
+         for name, runs in scenes.items() for (defaults, model), run in runs.items()])
+    over_time = Table.of(
+        "stretch_over_time", "", ["scene", "settings", "model", ("time", "time", "", "s"),
+                                  ("max_stretch", "largest stretch σ₁")],
+        [(name, WHOSE[key[0]], key[1], time, stretch)
+         for name, runs in scenes.items() for key, run in runs.items() if key in ROWS
+         for time, stretch in zip(run.metrics["time"], run.metrics["max_stretch"])])
+    worst = {name: {key: _worst(run) for key, run in runs.items()} for name, runs in scenes.items()}
+    section.add_chart(over_time, _title(worst), "time", ["max_stretch"], ["settings", "model"],
+                      id="large_forces", held=["scene"], scale="linear", y_scale="log",
+                      note="The largest stretch of each recorded frame.")
+    section.claims.append(_claim(worst))
 
 
-def _frame(run, time):
-    return int(np.argmin(np.abs(run.metrics["time"] - time)))
+def _worst(run):
+    """The largest stretch at any time."""
+    return run.summary.get("worst_stretch", np.nan)
 
 
 def _picture(scenes, out):
     rows = {}
     for name, runs in scenes.items():
-        samples = {key: (runs[key], _frame(runs[key], SCENES[name])) for key in ROWS if key in runs}
-        camera = cloth.camera_of([sample for key, sample in samples.items() if key[0] == "recommended"]
-                                 or samples.values(), aspect=0.85)
-        rows[name] = [cloth.Panel(samples.get(key), camera, f"{looks.model_name(key[1])}\n({WHOSE[key[0]]})",
-                                  _worst_text(samples.get(key))) for key in ROWS]
+        samples = {key: (runs[key], frame_at(runs[key], SCENES[name])) for key in ROWS if key in runs}
+        camera = cloth.camera_of([samples[OURS]] if OURS in samples else samples.values(), aspect=0.85)
+        rows[name] = [cloth.Panel(samples.get(key), camera, f"{model_name(key[1])}\n({WHOSE[key[0]]})",
+                                  f"largest σ₁ = {number(_worst(runs[key]), 3)}" if key in runs else "")
+                      for key in ROWS]
     return cloth.sheet(rows, out, "fig_large_forces", inches=2.7)
 
 
-def _worst_text(sample):
-    return f"largest σ₁ = {number(sample[0].summary.get('worst_stretch', np.nan), 3)}" if sample else ""
-
-
-def _over_time(scenes):
-    rows = [{"scene": name, "settings": WHOSE[defaults], "model": model, "time": time, "max_stretch": stretch}
-            for name, runs in scenes.items() for (defaults, model), run in runs.items()
-            if (defaults, model) in ROWS
-            for time, stretch in zip(run.metrics["time"], run.metrics["max_stretch"])]
-    return Table.of("stretch_over_time", "", ["scene", "settings", "model", ("time", "time", "", "s"),
-                                              ("max_stretch", "largest stretch σ₁")], rows)
-
-
-def _worst(scenes, chosen):
-    """Scene → largest stretch at any time, of all runs with chosen(defaults, model)."""
-    return {name: max((run.summary.get("worst_stretch", np.nan) for key, run in runs.items() if chosen(*key)),
-                      default=np.nan) for name, runs in scenes.items()}
-
-
-def _title(scenes):
-    paper = {name: min((run.summary.get("worst_stretch", np.nan) for (defaults, model), run in runs.items()
-                        if defaults == "paper" and model in SPRINGS), default=np.nan)
-             for name, runs in scenes.items()}
-    ours = _worst(scenes, lambda defaults, _: defaults == "recommended")
-    said = [f"{name}: at least {number(paper[name], 2)} times with the paper's springs, at most "
-            f"{number(ours[name], 3)} with our defaults and any of four models" for name in scenes]
+def _title(worst):
+    said = []
+    for name, stretches in worst.items():
+        paper = min((stretches[key] for key in stretches if key in ROWS and key != OURS), default=np.nan)
+        ours = max((stretches[key] for key in stretches if key[0] == "recommended"), default=np.nan)
+        said.append(f"{name}: at least {number(paper, 2)} times with the paper's springs, at most "
+                    f"{number(ours, 3)} with our defaults and any of four models")
     return "How far large forces stretch a triangle. " + "; ".join(said)
 
 
-def _table(scenes):
-    rows = [{"scene": name, "settings": defaults, "model": model, "status": run.status,
-             "ms": 1e3 * run.step_cpu_s / (60 * run.metrics["time"][-1])}
-            | {metric: run.summary.get(metric) for metric in ("worst_stretch", "max_stretch", "mean_strain")}
-            for name, runs in scenes.items() for (defaults, model), run in runs.items()]
-    return Table.of("large_forces", "Every run", [
-        "scene", "settings", "model", ("status", "verdict"), ("worst_stretch", "largest σ₁ at any time"),
-        ("max_stretch", "max σ₁, median of the last second"),
-        ("mean_strain", "mean strain, median of the last second"),
-        ("ms", "CPU time per step of 1/60 s", "", "ms")], rows)
-
-
-def _claim(scenes):
-    ours = _worst(scenes, lambda defaults, model: (defaults, model) == ("recommended", "discrete_shells"))
-    numbers = {f"{name}, our defaults: largest stretch at any time": value for name, value in ours.items()}
-    numbers |= {f"{name}, the paper's {model}: largest stretch at any time":
-                _worst(scenes, lambda *key, model=model: key == ("paper", model))[name]
-                for name in scenes for model in SPRINGS}
-    whole = len(ours) == len(SCENES) and not any(np.isnan(list(ours.values())))
+def _claim(worst):
+    said = "largest stretch at any time"
+    ours = {name: stretches.get(OURS, np.nan) for name, stretches in worst.items()}
+    numbers = {f"{name}, our defaults: {said}": most for name, most in ours.items()}
+    numbers |= {f"{name}, the paper's {model}: {said}": stretches.get(("paper", model), np.nan)
+                for name, stretches in worst.items() for model in SPRINGS}
+    whole = len(ours) == len(SCENES) and np.isfinite(list(ours.values())).all()
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
-                 f"no triangle is ever stretched to more than {MOST} times its length at rest",
-                 numbers, all(ours[name] <= MOST for name in SCENES) if whole else None,
-                 note="When pins move abruptly, inertia alone stretches the triangle at a corner to 1.245 "
-                 "times its length, so this membrane cannot keep within the limit.")
+                 f"no triangle is ever stretched to more than {MOST} times its length at rest", numbers,
+                 max(ours.values()) <= MOST if whole else None,
+                 "When pins move abruptly, inertia alone stretches the triangle at a corner to 1.245 times "
+                 "its length, so this membrane cannot keep within the limit.")

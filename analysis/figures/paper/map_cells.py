@@ -3,31 +3,30 @@ from dataclasses import replace
 
 import numpy as np
 
-from tables.claim_map import Cell
 from bendlab.results.load import group
 from runs.repeat import commands
+from tables.claim_map import Cell
 
 
 class NotMeasured(Exception):
     """A verdict needs a number that is missing or not finite."""
 
 
-def cell(runs, judge):
-    """The cell of these runs. `judge` returns the text of the cell, and whether the claim holds there. If a
-    run or a number is missing, the cell is open. If a run diverged, the cell fails, for every claim."""
+def cell(judge, *groups):
+    """The cell of these groups of runs. judge(*groups) returns the text of the cell, and whether the claim
+    holds there. If a run or a number is missing, the cell is open. If a run diverged, the cell fails, for
+    every claim."""
+    runs = sum(groups, [])
     made = Cell("not run", None, "\n".join(commands(runs)), seeds(runs), open=True)
     if not runs or not all(run.over for run in runs):
         return made
-    made.open = False
     if any(run.status == "diverged" for run in runs):
-        made.text, made.holds = "diverged", False
-        return made
+        return replace(made, text="diverged", holds=False, open=False)
     try:
-        made.text, holds = judge()
-        made.holds = None if holds is None else bool(holds)
+        text, holds = judge(*groups)
     except NotMeasured:
-        made.text, made.open = "not measured", True
-    return made
+        return replace(made, text="not measured")
+    return replace(made, text=text, holds=None if holds is None else bool(holds), open=False)
 
 
 def median(runs, name, offset=0):
@@ -59,34 +58,34 @@ def rows(groups, needed):
     """Rows [{place: runs}] of places that differ only in N, sorted by N. `groups`: place → runs.
 
     Verdicts of rows are comparable, because all rows have the same N: those of `needed`, and finer N that
-    exist in every row. If a row lacks an N, the runs are None. All places of a row have the same seeds.
+    exist in every row. If a row lacks an N, it has no runs there. All places of a row have the same seeds.
     """
-    by_row = group(groups, lambda place: (place.rounding, place.damping, place.solver, place.pins)).values()
+    by_row = group(groups, lambda place: place.at(0)).values()
     shared = set.intersection(*({place.cells for place in row} for row in by_row)) if by_row else set()
     compared = sorted({*needed, *(n for n in shared if n > max(needed))})
-    return [_row(groups, places, compared) for places in by_row]
+    made = []
+    for places in by_row:
+        by_cells = {place.cells: groups[place] for place in places if place.cells in compared}
+        equal = dict(zip(by_cells, same_seeds(by_cells.values())))
+        made.append({places[0].at(n): equal.get(n, []) for n in compared})
+    return made
 
 
-def _row(groups, places, compared):
-    by_cells = {place.cells: groups[place] for place in places if place.cells in compared}
-    equal = dict(zip(by_cells, same_seeds(by_cells.values())))
-    return {places[0].at(n): equal.get(n) for n in compared}
-
-
-def row_cells(row, groups, number, show, verdict):
-    """The cells of a row. Each cell has its own number, but all cells have one verdict.
+def row_cells(groups, needed, number, show, verdict):
+    """The cells of all rows. Each cell has its own number, but all cells of a row have one verdict.
 
     number(runs) measures the number of a cell, show(number) is its text, and verdict(numbers) judges all
-    numbers of the row, from coarse to fine meshes. `groups` has the runs with all seeds.
+    numbers of a row, from coarse to fine meshes. For `groups` and `needed` see rows().
     """
-    def judge():
-        if None in row.values():
+    def judge(*row):
+        if not all(row):
             raise NotMeasured("a mesh that other rows have")
-        return "", verdict([number(runs) for runs in row.values()])
+        return "", verdict(list(map(number, row)))
 
-    whole = cell([run for runs in row.values() for run in runs or []], judge)
     made = {}
-    for place, runs in row.items():
-        own = cell(runs or [], lambda: (show(number(runs)), True))
-        made[place] = noted(replace(whole, text=own.text, seeds=own.seeds), groups.get(place, []))
+    for row in rows(groups, needed):
+        whole = cell(judge, *row.values())
+        for place, runs in row.items():
+            own = cell(lambda runs: (show(number(runs)), True), runs)
+            made[place] = noted(replace(whole, text=own.text, seeds=own.seeds), groups.get(place, []))
     return made

@@ -1,9 +1,11 @@
 """The verdict maps: for which answers to the paper's open questions a claim of the paper holds."""
-from figures.paper import map_rules as rules
-from tables.claim_map import SOLVERS, Place, places
+from dataclasses import replace
+
 from bendlab.results.load import select
+from figures.paper import map_rules as rules
 from figures.paper.map_cells import NotMeasured, median
 from runs.sweeps import load_experiment, planned_runs
+from tables.claim_map import SOLVERS, Place, places
 
 PIN_CONFIGS = ["paper/map", "paper/map_64", "paper/map_64_rest", "paper/map_seeds",
                "paper/map_64_free_full", "paper/map_full", "paper/map_256_full"]
@@ -31,42 +33,32 @@ def main(results, out, section):
         _runs(section, results, configs) for configs in (PIN_CONFIGS, LOD_CONFIGS, N_CONFIGS, STRIP_CONFIGS))
     crossover, adaptive = (places(select(pin, bending__model=model)) for model in ("crossover", "adaptive"))
     section.text += _bending_does_not_converge(adaptive)
-    of_pin = [rules.wrong_at_the_pin(crossover), rules.fails_with_resolution(crossover),
-              rules.normal_cloth(adaptive)]
-    of_drop = [rules.equal_drop(adaptive), rules.springs_rather_than_ring(crossover, adaptive)]
-    of_n = [rules.material_changes(n), rules.no_abnormal_deformation(n)]
-    section.maps += [*_known(of_pin, pin_less), *_known([rules.equally_stiff(strip)], strip_less),
-                     *_known(of_drop, pin_less), *_known([rules.lod_looks_the_same(lod)], lod_less),
-                     *_known(of_n, n_less)]
-
-
-def _known(maps, less):
-    """Sets `left_out` of the maps (whether boxes of --full are not computed), and returns the maps."""
-    for claim_map in maps:
-        claim_map.left_out = less
-    return maps
+    for less, *maps in (
+            (pin_less, rules.wrong_at_the_pin(crossover), rules.fails_with_resolution(crossover),
+             rules.normal_cloth(adaptive)),
+            (strip_less, rules.equally_stiff(strip)),
+            (pin_less, rules.equal_drop(adaptive), rules.springs_rather_than_ring(crossover, adaptive)),
+            (lod_less, rules.lod_looks_the_same(lod)),
+            (n_less, rules.material_changes(n), rules.no_abnormal_deformation(n))):
+        section.maps += [replace(claim_map, left_out=less) for claim_map in maps]
 
 
 def _runs(section, results, configs):
     """Returns every run of these configs (also missing runs), and whether a _full config has no runs."""
-    runs, less = [], False
-    for config in configs:
-        experiment = load_experiment(results, config)
-        if config.endswith("_full") and not experiment.runs:
-            less = True
-            continue
+    experiments = [load_experiment(results, config) for config in configs]
+    known = [experiment for experiment in experiments
+             if experiment.runs or not experiment.config.endswith("_full")]
+    for experiment in known:
         section.uses(experiment)
-        runs += planned_runs(experiment)
-    return runs, less
+    return sum(map(planned_runs, known), []), len(known) < len(experiments)
 
 
 def _bending_does_not_converge(groups):
     """A sentence with the drops of one sheet, from little to much work. "" if runs are missing."""
     place = lambda solver: Place("rounded down", "viscous drag", solver, "the corner and its 1-ring", 16)
     try:
-        drops = [median(groups.get(place(solver), []), "drop") for solver in SOLVERS.values()]
+        *drops, last = (f"{median(groups.get(place(solver), []), 'drop'):.2f}" for solver in SOLVERS.values())
     except NotMeasured:
         return ""
     return (" With viscous drag, N = 16 and the 1-ring pinned, the sheet's drop is "
-            f"{', '.join(f'{drop:.2f}' for drop in drops[:-1])} and {drops[-1]:.2f} m from 1 × 10 to 256 × "
-            "1.")
+            f"{', '.join(drops)} and {last} m from 1 × 10 to 256 × 1.")

@@ -3,13 +3,13 @@ of the strip, the compliances of the models are chosen for one flexural rigidity
 """
 import numpy as np
 
+from bendlab.results.load import group, summary_spread
 from draw import cloth
-from tables.numbers import number
-from tables import looks
-from bendlab.results.load import group, summary_spread, typical_run
-from tables.chart import Chart
-from tables.table import Table
+from figures.paper import medians
+from runs.strips import model_name
 from runs.sweeps import load_experiment
+from tables.numbers import number
+from tables.table import Table
 
 # Mean strains. Below HOLDS a sheet counts as intact, above TORN as torn (more than twice as long).
 HOLDS, TORN = 0.1, 1
@@ -19,24 +19,21 @@ def main(results, out, section):
     sheet = load_experiment(results, "models/hanging_sheet")
     strips = [load_experiment(results, f"models/{name}") for name in ("cantilever", "cantilever_rigidity")]
     section.text = sheet.settings["description"]
+    grid = _grid(sheet)
     if section.uses(sheet):
-        section.pictures.append((_sheet(sheet, out), f"{sheet_title(*_grid(sheet))}. The pictures show the "
-                                 "last frame of the seed nearest to the median. A row has one scale. The "
-                                 "number in a picture is the mean strain, as median over the last second."))
+        section.pictures.append((_sheet(*grid, out), f"{sheet_title(*grid)}. The pictures show the last "
+                                 "frame of the seed nearest to the median. A row has one scale. The number "
+                                 "in a picture is the mean strain, as median over the last second."))
     runs = [run for strip in strips for run in section.uses(strip)]
-    section.tables += [_sheet_table(sheet), _strip_table(runs), _profiles(runs), _elastica_table(runs)]
-    section.charts = [
-        Chart("models_cost", "What a step of the hanging sheet costs", "models", "name",
-              ["strain", "bending", "rest"], kind="bars", note="Cost of one step of 1/60 s on one thread, "
-              "in ms: the minimum over seeds."),
-        Chart("models_cantilever", strip_title(runs), "profiles", "distance", ["height"], held=["stiffness"],
-              at="compliance", scale="linear", y_scale="linear", theory="elastica",
-              note=" ".join(strip.settings["description"] for strip in strips))]
-
-
-def name_of(run):
-    """Name of a run's model. The name of k_ring contains k."""
-    return looks.model_name(run.model, run.get("/bending/k_ring/k"))
+    section.tables += [_sheet_table(*grid), _strip_table(runs), *_profiles(runs)]
+    section.add_chart(
+        "models", "What a step of the hanging sheet costs", "name", ["strain", "bending", "rest"],
+        id="models_cost", kind="bars",
+        note="Cost of one step of 1/60 s on one thread, in ms: the minimum over seeds.")
+    section.add_chart(
+        "profiles", strip_title(runs), "distance", ["height"], id="models_cantilever", held=["stiffness"],
+        at="compliance", scale="linear", y_scale="linear", theory="elastica",
+        note=" ".join(strip.settings["description"] for strip in strips))
 
 
 def cost(runs):
@@ -59,12 +56,8 @@ def cost(runs):
 def _seconds(run, name):
     """Processor time of a pass in s. The pass "rest" is a step without the projections."""
     apart = ("strain", "bending", "set_up", "recording")
-    wall = sum(t for other, t in run.passes.items()
-               if other not in apart) if name == "rest" else run.passes.get(name, 0)
+    wall = sum(t for other, t in run.passes.items() if other == name or name == "rest" and other not in apart)
     return run.cpu_s * wall / sum(run.passes.values())
-
-
-# --- the hanging sheet ---
 
 
 def _grid(experiment):
@@ -75,70 +68,59 @@ def _grid(experiment):
     return substeps, models, by_place
 
 
-def _sheet(experiment, out):
+def _sheet(substeps, models, runs, out):
     """Pictures: a column for each model, and a row for each number of substeps."""
-    substeps, models, runs = _grid(experiment)
     rows = {}
     for s in substeps:
-        groups = [runs.get((model, s), []) for model in models]
-        samples = [typical_run(own_runs, "mean_strain") if own_runs else None for own_runs in groups]
-        rows[f"{s} substep{'s' if s > 1 else ''}"] = [
-            cloth.Panel(sample, camera, name_of(own_runs[0]) if own_runs else model, _strain_text(own_runs))
-            for model, own_runs, sample, camera in zip(models, groups, samples,
-                                                       cloth.cameras_of(samples, aspect=0.45))]
+        groups = {model: runs.get((model, s), []) for model in models}
+        rows[f"{s} substep{'s' if s > 1 else ''}"] = medians.panels(
+            [(model_name(own_runs[0]) if own_runs else model, own_runs,
+              f"strain {number(summary_spread(own_runs, 'mean_strain').median, 2)}")
+             for model, own_runs in groups.items()], "mean_strain", aspect=0.45)
     return cloth.sheet(rows, out, "fig_models", inches=1.25, width=220)
-
-
-def _strain_text(runs):
-    return f"strain {number(summary_spread(runs, 'mean_strain').median, 2)}" if runs else ""
 
 
 def sheet_title(substeps, models, runs):
     """How many models keep the sheet intact, for each number of substeps."""
     lines = []
     for s in substeps:
-        strain = {model: summary_spread(runs[model, s], "mean_strain").median for model in models
-                  if (model, s) in runs}
-        torn = [name_of(runs[model, s][0]) for model, value in strain.items() if not value < TORN]
-        held = sum(value < HOLDS for value in strain.values())
-        steps = "One substep" if s == 1 else f"{s} substeps"
-        text = f"{steps}: {held} of {len(strain)} models keep the mean strain below {100 * HOLDS:.0f} %"
-        lines.append(text + (f"; it exceeds 100 % with {', '.join(torn)}" if torn
-                             else "; none exceeds 100 %"))
+        groups = [runs[model, s] for model in models if (model, s) in runs]
+        strains = {model_name(own_runs[0]): summary_spread(own_runs, "mean_strain").median
+                   for own_runs in groups}
+        torn = [name for name, strain in strains.items() if not strain < TORN]
+        held = sum(strain < HOLDS for strain in strains.values())
+        lines.append(f"{'One substep' if s == 1 else f'{s} substeps'}: {held} of {len(strains)} models keep "
+                     f"the mean strain below {100 * HOLDS:.0f} %; " +
+                     (f"it exceeds 100 % with {', '.join(torn)}" if torn else "none exceeds 100 %"))
     return ". ".join(lines)
 
 
-def _sheet_table(experiment):
-    substeps, models, runs = _grid(experiment)
+def _sheet_table(substeps, models, runs):
+    metrics = [("mean_strain", "mean strain"), ("max_stretch", "max σ₁"), ("drop", "drop", "", "m")]
     rows = []
-    for model in models:
-        for s in substeps:
-            if own_runs := runs.get((model, s), []):
-                of = {name: summary_spread(own_runs, name).median
-                      for name in ("mean_strain", "max_stretch", "drop")}
-                name = name_of(own_runs[0])
-                rows.append({"model": name, "substeps": s, "name": f"{name}, {s}"} | of | cost(own_runs))
+    for own_runs in [runs[model, s] for model in models for s in substeps if (model, s) in runs]:
+        name, s = model_name(own_runs[0]), own_runs[0].get("/solver/substeps")
+        rows.append({"model": name, "substeps": s, "name": f"{name}, {s}"}
+                    | {metric: summary_spread(own_runs, metric).median for metric, *_ in metrics}
+                    | cost(own_runs))
     return Table.of("models", "The hanging sheet at 64 cells: medians over seeds, but minima for times", [
-        "model", "substeps", ("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
-        ("drop", "drop", "", "m"),
-        ("per_vertex", "bending constraints per vertex", ".2f"), ("ns", "time per projection", "", "ns"),
-        ("strain", "strain", "", "ms per step"), ("bending", "bending", "", "ms per step"),
-        ("rest", "other", "", "ms per step"),
+        "model", "substeps", *metrics, ("per_vertex", "bending constraints per vertex", ".2f"),
+        ("ns", "time per projection", "", "ns"), ("strain", "strain", "", "ms per step"),
+        ("bending", "bending", "", "ms per step"), ("rest", "other", "", "ms per step"),
         ("name", "model, substeps", "", "ms per step", "CPU time", False)], rows)
 
-
-# --- the clamped strip ---
 
 PROFILE = ["model", "stiffness", ("distance", "distance from the clamp", "", "cm"),
            ("height", "height", "", "cm")]
 
 
-def profile(run, frame=-1):
-    """(rows, 2) side view of the strip in m: mean distance from the clamp and mean height of each row."""
-    rest, positions, pinned = run.rest_positions, run.positions(frame), run.pinned
-    rows = np.unique(np.round(rest[:, 0], 6), return_inverse=True)[1].ravel()
+def profile(run):
+    """(rows, 2) side view of the strip in m, in the last frame: mean distance from the clamp and mean height
+    of each row."""
+    positions = run.positions(-1)
+    rows = np.unique(np.round(run.rest_positions[:, 0], 6), return_inverse=True)[1].ravel()
     line = np.array([positions[rows == row].mean(axis=0) for row in range(rows.max() + 1)])
-    clamp = max(rows[pinned])
+    clamp = max(rows[run.pinned])
     return line[clamp:, [0, 2]] - line[clamp, [0, 2]]
 
 
@@ -168,51 +150,39 @@ def elastica(weight, length, rigidity, points=400):
 
 
 def _profiles(runs):
-    rows = [{"model": run.model, "name": name_of(run), "stiffness": run.get("/bending/stiffness"),
-             "distance": 100 * distance, "height": 100 * height}
-            for run in runs for distance, height in profile(run)]
-    return Table.of("profiles", "", PROFILE, rows)
-
-
-def _elastica_table(runs):
-    """The heavy elastica with the stiffness of the matched runs, for the chart of the side views."""
-    truth = _truth([run for run in runs if run.get("/bending/stiffness") == "compliance"])
-    rows = [] if truth is None else [{"model": "heavy elastica", "distance": 100 * distance,
-                                      "height": 100 * height} for distance, height in truth[::10]]
-    return Table.of("elastica", "", PROFILE, rows)
-
-
-def rigidity_of(runs):
-    """Flexural rigidity of the matched runs in N m: the inverse of the compliance of discrete_shells. None
-    without such a run."""
-    return next((1 / run.get("/bending/compliance") for run in runs if run.model == "discrete_shells"), None)
+    """The tables of the chart of side views: the runs, and the heavy elastica."""
+    rows = [{"model": run.model, "name": model_name(run), "stiffness": run.get("/bending/stiffness"),
+             "distance": x, "height": z} for run in runs for x, z in 100 * profile(run)]
+    truth = [{"model": "heavy elastica", "distance": x, "height": z} for x, z in 100 * _truth(runs)[::10]]
+    return [Table.of("profiles", "", PROFILE, rows), Table.of("elastica", "", PROFILE, truth)]
 
 
 def _truth(runs):
-    """The elastica with the stiffness of the matched runs. None without such runs."""
-    rigidity = rigidity_of(runs)
-    if rigidity is None:
-        return None
-    run, rest = runs[0], runs[0].rest_positions
-    x = np.unique(np.round(rest[:, 0], 6))
-    free = x[-1] - np.round(rest[run.pinned, 0], 6).max()
+    """The elastica with the stiffness of the matched runs: the inverse of the compliance of discrete_shells.
+    Empty without such a run."""
+    run = next((run for run in runs if (run.get("/bending/stiffness"), run.model)
+                == ("compliance", "discrete_shells")), None)
+    if run is None:
+        return np.empty((0, 2))
+    x = np.unique(np.round(run.rest_positions[:, 0], 6))
+    free = x[-1] - np.round(run.rest_positions[run.pinned, 0], 6).max()
     gravity = -run.config["effects"][0]["acceleration"][2]
     # The hinges on the edge of the clamp bend, too. So the effective clamp ends half a row before this edge.
-    return elastica(run.get("/material/density") * gravity, free + (x[1] - x[0]) / 2, rigidity)
+    return elastica(run.get("/material/density") * gravity, free + (x[1] - x[0]) / 2,
+                    1 / run.get("/bending/compliance"))
 
 
 def strip_title(runs):
     """The title: the heights of the tips with equal k, and with equal flexural rigidity (matched runs)."""
-    kinds = group(runs, lambda run: run.get("/bending/stiffness"))
-    truth = _truth(kinds.get("compliance", []))
-    tips = {kind: {name_of(run): 100 * profile(run)[-1] for run in runs} for kind, runs in kinds.items()}
-    lines = []
-    if tips.get("k"):
+    tips = {kind: {model_name(run): 100 * profile(run)[-1] for run in own_runs}
+            for kind, own_runs in group(runs, lambda run: run.get("/bending/stiffness")).items()}
+    truth, lines = _truth(runs), []
+    if "k" in tips:
         drops = {name: -tip[1] for name, tip in tips["k"].items()}
-        low, high = (pick(drops, key=drops.get) for pick in (min, max))
+        low, high = min(drops, key=drops.get), max(drops, key=drops.get)
         lines.append(f"With equal k the tips hang between {drops[low]:.1f} cm ({low}) and "
                      f"{drops[high]:.1f} cm ({high}) below the clamp")
-    if tips.get("compliance") and truth is not None:
+    if "compliance" in tips and len(truth):
         matched = np.array(list(tips["compliance"].values()))
         apart = np.linalg.norm(matched[:, None] - matched[None], axis=2).max()
         off = np.linalg.norm(matched - 100 * truth[-1], axis=1).max()
@@ -222,12 +192,8 @@ def strip_title(runs):
 
 
 def _strip_table(runs):
-    rows = []
-    for run in runs:
-        tip = profile(run)[-1]
-        rows.append({"model": name_of(run), "stiffness": run.get("/bending/stiffness"),
-                     "compliance": run.point["/bending"].get("compliance"), "below": -100 * tip[1],
-                     "from": 100 * tip[0], "mean_strain": run.summary["mean_strain"]})
     return Table.of("cantilever", "The clamped strip", [
         "model", "stiffness", "compliance", ("below", "tip below the clamp", ".2f", "cm"),
-        ("from", "tip from the clamp", ".2f", "cm"), ("mean_strain", "mean strain")], rows)
+        ("from", "tip from the clamp", ".2f", "cm"), ("mean_strain", "mean strain")],
+        [(model_name(run), run.get("/bending/stiffness"), run.point["/bending"].get("compliance"), -z, x,
+          run.summary["mean_strain"]) for run in runs for x, z in [100 * profile(run)[-1]]])

@@ -8,102 +8,86 @@ rigidity depends on substeps / N² alone.
 """
 import numpy as np
 
-from runs import strips
 from bendlab.results.load import group
-from tables.chart import Chart
+from figures.paper.promise import ms_per_frame
+from runs import strips
+from runs.sweeps import used_runs
 from tables.section import Claim
-from tables.table import Table
-from runs.sweeps import load_experiment
 
 GOAL = 1.05  # largest stiffness over smallest, for N = 12 to 96
-DEFAULTS, FINER = "the defaults", "the defaults, membrane_error 0.001"
+DEFAULTS, PROJECTED = "the defaults", " substeps of pbd"
 
 
 def main(results, out, section):
-    ours = section.uses(load_experiment(results, "paper/recommended_strip"))
-    projected = section.uses(load_experiment(results, "paper/strip_substeps"))
-    projected = projected + load_experiment(results, "paper/strip_substeps_full").runs
-    shares = {DEFAULTS if error == 0.01 else FINER: shares_of(own_runs) for error, own_runs in
-              sorted(group(ours, lambda run: run.get("/solver/membrane_error")).items(), reverse=True)}
-    substeps = {count: shares_of(own_runs) for count, own_runs in
-                sorted(group(projected, lambda run: run.get("/solver/substeps")).items())}
-    shares |= substeps
-    section.tables.append(_table(shares))
+    ours = used_runs(section, results, "paper/recommended_strip")
+    projected = used_runs(section, results, "paper/strip_substeps", "paper/strip_substeps_full")
+    runs = [*sorted(ours, key=lambda run: (-run.get("/solver/membrane_error"), strips.cells(run))),
+            *sorted(projected, key=lambda run: (run.get("/solver/substeps"), strips.cells(run)))]
+    shares = {solver: {strips.cells(run): _share(run) for run in own_runs}
+              for solver, own_runs in group(runs, _solver).items()}
+    section.add_table(
+        "strips", "Share of the stated rigidity",
+        ["solver", ("N", "cells along the strip, N"), ("measured", "measured over stated rigidity"),
+         ("estimated", "estimate of the program"), ("ms", "CPU time per frame", "", "ms")],
+        [(_solver(run), strips.cells(run), _share(run), strips.number(run, "effective_bending_stiffness"),
+          ms_per_frame(run)) for run in runs])
     if shares:
-        section.charts.append(Chart(
-            "promise_strip", _title(shares), "strips", "N", ["measured", "estimated"], ["solver"],
-            scale="log2",
-            y_scale="log", look="", limits=[("measured", 1, "as stated")],
+        section.add_chart(
+            "strips", _title(shares), "N", ["measured", "estimated"], ["solver"], id="promise_strip",
+            scale="log2", y_scale="log", look="", limits=strips.as_stated("measured"),
             note="Measured flexural rigidity over the stated rigidity of 10⁻⁵ N m; and the program's "
-                 "estimate of this ratio for projections (effective_bending_stiffness)."))
-    section.claims += [_claim(shares), _scaling_claim(substeps)]
+            "estimate of this ratio for projections (effective_bending_stiffness).")
+    section.claims += [_claim(shares), _scaling_claim(projected)]
 
 
-def shares_of(runs):
-    """{N: (measured share of the stated rigidity, estimated share, CPU ms per frame)}"""
-    shares = {}
-    for run in sorted(runs, key=strips.cells):
-        measured = run.summary.get("stiffness_flexural_rigidity", np.nan)
-        stated = run.get("/bending/flexural_rigidity")
-        frames = 60 * run.metrics["time"][-1] if len(run.metrics["time"]) else np.nan
-        estimated = run.summary.get("effective_bending_stiffness", np.nan)
-        shares[strips.cells(run)] = (measured / stated, estimated, 1e3 * run.step_cpu_s / frames)
-    return shares
+def _solver(run):
+    if run.method == "pbd":
+        return f"{run.get('/solver/substeps')}{PROJECTED}"
+    return DEFAULTS if run.get("/solver/membrane_error") == 0.01 else f"{DEFAULTS}, membrane_error 0.001"
 
 
-def _name(solver):
-    return solver if isinstance(solver, str) else f"{solver} substeps of pbd"
-
-
-def spread_of(by_cells):
-    """Largest share over smallest share. NaN if a strip was not measured."""
-    values = np.array([measured for measured, *_ in by_cells.values()])
-    return values.max() / values.min() if np.isfinite(values).all() and len(values) > 1 else np.nan
+def _share(run):
+    """Measured rigidity over the stated rigidity."""
+    return strips.rigidity(run) / run.get("/bending/flexural_rigidity")
 
 
 def _title(shares):
     finest = max(n for by_cells in shares.values() for n in by_cells)
-    kept = {solver: f"{100 * by_cells[finest][0]:.0f}" for solver, by_cells in shares.items()
+    kept = {solver: f"{100 * by_cells[finest]:.0f}" for solver, by_cells in shares.items()
             if finest in by_cells}
-    substeps = [solver for solver in kept if not isinstance(solver, str)]
-    title = (f"A strip on {finest} cells has {kept.get(DEFAULTS, '–')} % of its stated rigidity "
-             "with the defaults")
-    return title if not substeps else (
-        f"{title}, and {', '.join(kept[count] for count in substeps)} % with {', '.join(map(str, substeps))} "
-        "substeps of pbd")
-
-
-def _table(shares):
-    rows = [{"solver": _name(solver), "N": n, "measured": measured, "estimated": estimated, "ms": ms}
-            for solver, by_cells in shares.items() for n, (measured, estimated, ms) in by_cells.items()]
-    return Table.of("strips", "Share of the stated rigidity", [
-        "solver", ("N", "cells along the strip, N"), ("measured", "measured over stated rigidity"),
-        ("estimated", "estimate of the program"), ("ms", "CPU time per frame", "", "ms")], rows)
+    defaults = kept.get(DEFAULTS, "–")
+    title = f"A strip on {finest} cells has {defaults} % of its stated rigidity with the defaults"
+    projected = [solver for solver in kept if solver.endswith(PROJECTED)]
+    return title if not projected else (
+        f"{title}, and {', '.join(kept[solver] for solver in projected)} % with "
+        f"{', '.join(solver.removesuffix(PROJECTED) for solver in projected)}{PROJECTED}")
 
 
 def _claim(shares):
-    numbers = {f"largest rigidity over smallest, {_name(solver)}": spread_of(by_cells)
-               for solver, by_cells in shares.items()}
-    ours = shares.get(DEFAULTS, {})
+    """`shares`: {solver: {N: measured share of the stated rigidity}}"""
+    spreads = {solver: _largest_ratio(by_cells.values()) for solver, by_cells in shares.items()}
+    numbers = {f"largest rigidity over smallest, {solver}": spread for solver, spread in spreads.items()}
     numbers["smallest share of the stated rigidity, the defaults"] = min(
-        (measured for measured, *_ in ours.values()), default=np.nan)
-    cells = sorted({n for by_cells in shares.values() for n in by_cells})
-    spread = spread_of(ours)
-    return Claim("5", "The stiffness of cloth does not change if its mesh is refined (the paper's "
-                 "promise, with our recommended settings).",
-                 f"on strips of {min(cells, default=0)} to {max(cells, default=0)} cells the largest "
-                 f"rigidity is at most {GOAL} times the smallest, with the defaults",
-                 numbers, None if np.isnan(spread) else bool(spread <= GOAL))
+        shares.get(DEFAULTS, {}).values(), default=np.nan)
+    cells = {n for by_cells in shares.values() for n in by_cells}
+    spread = spreads.get(DEFAULTS, np.nan)
+    return Claim("5", "The stiffness of cloth does not change if its mesh is refined (the paper's promise, "
+                 "with our recommended settings).", f"on strips of {min(cells, default=0)} to "
+                 f"{max(cells, default=0)} cells the largest rigidity is at most {GOAL} times the smallest, "
+                 "with the defaults", numbers, None if np.isnan(spread) else bool(spread <= GOAL))
 
 
-def _scaling_claim(shares):
-    """How much the shares of strips with equal substeps / N² differ. `shares`: {substeps: shares_of()}."""
-    of_ratio = {}
-    for substeps, by_cells in shares.items():
-        for n, (measured, *_) in by_cells.items():
-            of_ratio.setdefault(substeps / n**2, []).append(measured)
-    pairs = [values for values in of_ratio.values() if len(values) > 1 and np.isfinite(values).all()]
-    worst = max((max(values) / min(values) - 1 for values in pairs), default=np.nan)
+def _largest_ratio(shares):
+    """Largest share over smallest share. NaN if a strip was not measured, or for fewer than two."""
+    return max(shares) / min(shares) if len(shares) > 1 and np.isfinite(list(shares)).all() else np.nan
+
+
+def _scaling_claim(runs):
+    """How much the shares of strips with equal substeps / N² differ."""
+    of_ratio = group(runs, lambda run: run.get("/solver/substeps") / strips.cells(run)**2)
+    ratios = [_largest_ratio([*map(_share, own_runs)]) for own_runs in of_ratio.values()]
+    pairs = [ratio for ratio in ratios if not np.isnan(ratio)]
+    worst = max(pairs, default=np.nan) - 1
     return Claim("5, ours", "With projections, the share of the stated rigidity that a strip has depends on "
                  "substeps / N² alone.",
                  "the shares of strips with equal substeps / N² differ by at most 5 %",

@@ -1,10 +1,8 @@
-"""The cost of each kind of constraint, per constraint and per vertex, and the speed of its code. The usual
-size is the number of vertices for which most kinds are timed.
-"""
+"""The cost of each kind of constraint, per constraint and per vertex, and the speed of its code."""
 from bendlab.results import registry
-from figures.performance.rows import (PRECISION, STRAIN, bending, kinds, label, lacking, model_of, per_vertex,
-                                      series, shown, table, to, usual)
-from tables.chart import Chart
+from figures.performance.rows import (PRECISION, STRAIN, at, bending, kinds, label, lacking, model_of,
+                                      per_vertex, series, shown, table, usual)
+from tables.numbers import span
 
 
 def sizes(timed, name, scalar):
@@ -13,47 +11,47 @@ def sizes(timed, name, scalar):
     return [row for row in rows if row["vertices"] == usual(timed) or row is rows[-1]]
 
 
+def command(timed):
+    """The command that times all kinds of constraints."""
+    return f"./bendlab bench --filter '^({'|'.join(kinds(timed) or STRAIN)})/'"
+
+
+def rows_of(timed):
+    """The rows of a page's table of all kinds of constraints."""
+    return [shown(row) | {"kind": label(name), "size": f"{row['vertices']:,} vertices"}
+            for name in kinds(timed) for scalar in PRECISION for row in sizes(timed, name, scalar)]
+
+
 def main(bench, out, section):
     timed = series(bench["rows"])
     section.missing = lacking(timed, kinds(timed))
-    section.commands = [f"./bendlab bench --filter '^({'|'.join(kinds(timed) or STRAIN)})/'"]
+    section.commands = [command(timed)]
     if not bending(timed):
         section.missing.append("any kind of bending constraint")
-    section.text += " " + same_text(timed) + springs_text(timed)
-    rows = [shown(row) | {"kind": label(name), "size": f"{row['vertices']:,} "
-                                                       f"vertices"} for name in kinds(timed)
-            for scalar in PRECISION for row in sizes(timed, name, scalar)]
-    section.tables.append(table("kinds", "Kinds of constraints", [
-        "kind", "precision", "vertices", "ns", "range", "per_vertex", "vertex", "ratio", "share"], rows))
-    section.charts.append(Chart("kinds", title(timed), "kinds", "kind", ["ns", "vertex"],
-                                ["precision", "size"],
-                                scale="band", y_scale="log", look="", note="Times of one iteration."))
-
-
-def same_text(timed):
-    """Sentences: which models have no rows, because other models have the same constraints."""
-    own = {model_of(name) for name in bending(timed)}
-    springs = [model for model in registry.models() if registry.made_of(model) == "springs"
-               and model not in own]
-    return (f"Springs of {', '.join(springs)} are projected like adaptive springs, discrete_shells like "
-            "dihedral hinges.")
+    section.text += " " + springs_text(timed)
+    section.add_chart(
+        table("kinds", "Kinds of constraints", ["kind", "precision", "vertices", "ns", "range", "per_vertex",
+                                                "vertex", "ratio", "share"], rows_of(timed)),
+        title(timed), "kind", ["ns", "vertex"], ["precision", "size"], scale="band", y_scale="log", look="",
+        note="Times of one iteration.")
 
 
 def springs_text(timed):
-    """A sentence: how many adaptive springs a vertex has, depending on the size of the cloth."""
-    rows = sizes(timed, "dense", "float")
-    counts = [f"{row['constraints'] / row['vertices']:.0f} at {row['vertices']:,} vertices" for row in rows]
-    return f" Adaptive springs per vertex: {', '.join(counts)}." if counts else ""
-
-
-def at_usual(timed, names, scalar="float"):
-    return [row for name in names for row in timed.get((name, scalar), []) if row["vertices"] == usual(timed)]
+    """Sentences: which models have no rows, because other models have the same constraints; how many adaptive
+    springs a vertex has, depending on the size of the cloth."""
+    own = {model_of(name) for name in bending(timed)}
+    springs = ", ".join(model for model in registry.models()
+                        if registry.made_of(model) == "springs" and model not in own)
+    counts = ", ".join(f"{row['constraints'] / row['vertices']:.0f} at {row['vertices']:,} vertices"
+                       for row in sizes(timed, "dense", "float"))
+    return (f"Springs of {springs} are projected like adaptive springs, discrete_shells like dihedral "
+            "hinges." + (f" Adaptive springs per vertex: {counts}." if counts else ""))
 
 
 def title(timed):
-    rows = at_usual(timed, bending(timed))
+    rows = at(timed, bending(timed), usual(timed))
     if len(rows) < 2:
         return "Time per constraint and per vertex"
-    return (f"A bending constraint costs {to([row['ns_per_constraint'] for row in rows])} ns. All bending "
-            f"constraints of a model cost {to([per_vertex(row) for row in rows])} ns per vertex (single "
-            f"precision, {usual(timed):,} vertices)")
+    return (f"A bending constraint costs {span([row['ns_per_constraint'] for row in rows], 2)} ns. All "
+            f"bending constraints of a model cost {span([per_vertex(row) for row in rows], 2)} ns per vertex "
+            f"(single precision, {usual(timed):,} vertices)")

@@ -1,7 +1,6 @@
 """The cost of an iteration of each solver method, and of the two parts of an iteration of quasi_newton."""
 from bendlab.results import registry
-from figures.performance.rows import PRECISION, per_vertex, series, shown, table
-from tables.chart import Chart
+from figures.performance.rows import PRECISION, at, first, kind, lacking, per_vertex, series, shown, table
 from tables.numbers import number
 
 # Parts of an iteration of quasi_newton, and their oracles: {name in the benchmark: name on the page}.
@@ -10,49 +9,35 @@ ORACLES = {"gradient_oracle": "oracle of the gradient", "solve_oracle": "CHOLMOD
 STEP = "method/"  # rows of whole steps are named STEP + method
 
 
-def lines(timed):
-    """{name in the benchmark: name on the page} of every timed method and of PARTS."""
+def main(bench, out, section):
+    timed, both = series(bench["rows"]), PARTS | ORACLES
     methods = sorted({name.removeprefix(STEP) for name, _ in timed if name.startswith(STEP)},
                      key=registry.method_place)
-    return {STEP + name: name for name in methods} | PARTS
-
-
-def main(bench, out, section):
-    timed = series(bench["rows"])
-    section.missing = missing(timed)
+    names = {STEP + method: method for method in methods} | both
+    section.missing = lacking(timed, PARTS, both.get, ["float"]) + lacking(timed, both, both.get, ["double"])
+    if not methods:
+        section.missing.append("whole steps")
     section.commands = [f"./bendlab bench --filter '^(method|{'|'.join(PARTS)})/'"]
-    rows = [shown(row)
-            | {"kind": label, "method": label.split(",")[0], "two": threads_gain(bench["rows"], row),
-               "drawn": name in lines(timed)}
-            for name, label in (lines(timed) | ORACLES).items() for scalar in PRECISION
-            for row in timed.get((name, scalar), [])]
-    section.tables += [
-        table("methods", "Methods",
-              ["kind", "precision", "vertices", ("ns", "time per vertex or constraint", "", "ns"),
-               "range", "vertex", ("two", "times as fast on two threads"), "ratio", "share"],
-              rows),
+    rows = [shown(row) | {"kind": label, "method": label.split(",")[0],
+                          "two": threads_gain(bench["rows"], row), "drawn": name not in ORACLES}
+            for name, label in names.items() for scalar in PRECISION for row in timed.get((name, scalar), [])]
+    section.tables.append(table("methods", "Methods", [
+        "kind", "precision", "vertices", ("ns", "time per vertex or constraint", "", "ns"), "range", "vertex",
+        ("two", "times as fast on two threads"), "ratio", "share"], rows))
+    section.add_chart(
         table("method_lines", "", ["vertices", "vertex", "kind", "precision"],
-              [row for row in rows if row["drawn"]])]
-    section.charts.append(Chart(
-        "methods", title(timed), "method_lines", "vertices", ["vertex"], ["kind", "precision"], y_scale="log",
-        look="method", note="Time of a step divided by its iterations. Gradient and solve are parts."))
-
-
-def missing(timed):
-    expected = {"float": PARTS, "double": PARTS | ORACLES}
-    lacking = [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar, named in expected.items()
-               if (absent := [label for name, label in named.items() if (name, scalar) not in timed])]
-    return lacking + ["whole steps"] * (lines(timed) == PARTS)
+              [row for row in rows if row["drawn"]]),
+        title(timed), "vertices", ["vertex"], ["kind", "precision"], id="methods", y_scale="log",
+        look="method", note="Time of a step divided by its iterations. Gradient and solve are parts.")
 
 
 def title(timed):
     """The title: costs of an iteration, its solve and an iteration of pbd, on the largest common cloth."""
-    of = {name: {row["vertices"]: row for row in timed.get((name, "float"), [])} for name in
-          ("method/quasi_newton", "method/pbd", "solve")}
-    both = set.intersection(*(set(sizes) for sizes in of.values()))
+    names = ("method/quasi_newton", "method/pbd", "solve")
+    both = set.intersection(*({row["vertices"] for row in timed.get((name, "float"), [])} for name in names))
     if not both:
         return "Time of an iteration per vertex, for several sizes of the cloth"
-    step, projections, solve = (per_vertex(sizes[max(both)]) for sizes in of.values())
+    step, projections, solve = map(per_vertex, at(timed, names, max(both)))
     return (f"An iteration of quasi_newton costs {number(step)} ns per vertex, "
             f"{number(step / projections)} times an iteration of pbd; the solve takes "
             f"{number(100 * solve / step, 2)} % of it (single precision, {max(both):,} vertices)")
@@ -60,6 +45,5 @@ def title(timed):
 
 def threads_gain(rows, row):
     """How many times as fast two threads are as one. None if two threads were not timed."""
-    two = next((other for other in rows if other["threads"] == 2 and other["name"] == row["name"]
-                and other["scalar"] == row["scalar"]), None)
+    two = first(rows, kind(row), name=row["name"], scalar=row["scalar"], threads=2)
     return row["ns_per_constraint"] / two["ns_per_constraint"] if two else None

@@ -1,7 +1,7 @@
 """Constraints in order of colour, compared with constraints in list order: error after a step, and time."""
-from figures.performance.rows import kind, to
-from tables.chart import Chart
-from tables.numbers import number
+from bendlab.results.load import group
+from figures.performance.rows import whole_step
+from tables.numbers import number, span
 from tables.table import Table
 
 SCENES = {"corner": "square, hangs from a corner", "strip": "strip, hangs from its top edge",
@@ -11,11 +11,10 @@ ORDERS = {"colour": "by colour", "colour_from_pins": "by colour, found from the 
 
 
 def main(bench, out, section):
-    scenes = by_scene(bench["rows"])
+    scenes, faster = by_scene(bench["rows"]), speed(bench["rows"])
     section.commands = ["./bendlab bench --filter '^convergence/'"]
     section.text += " " + time_text(bench["rows"])
-    absent = [name for name in SCENES if name not in scenes]
-    if absent:
+    if absent := [name for name in SCENES if name not in scenes]:
         section.missing.append(f"scenes that compare orders: {', '.join(absent)}")
     if not scenes:
         return
@@ -24,36 +23,32 @@ def main(bench, out, section):
              "change": 100 * (row[f"strain_error_{order}"] / row["strain_error_mesh"] - 1),
              "more": more(row) if order == "colour" else None}
             for name, series in scenes.items() for row in series for order, label in ORDERS.items()]
-    section.tables.append(Table.of("order", "Mean strain error after one step", [
-        "scene", "iterations", "order", ("error", "strain error"), ("list", "in list order"),
-        ("change", "change of the error against list order", "+.1f", "%"),
-        ("more", "iterations for an equal error, by colour over list order")], rows))
-    faster = speed(bench["rows"])
-    section.charts.append(Chart(
-        "order", title(scenes), "order", "iterations", ["change", "more"], ["order"], held=["scene"],
-        scale="log2",
-        look="", limits=[("change", 0, "list order"),
-                         *([("more", faster,
-                             f"a step by colour is {number(faster)} times as fast")] if faster
-                           else [])],
+    limits = [("change", 0, "list order")]
+    if faster:
+        limits.append(("more", faster, f"a step by colour is {number(faster)} times as fast"))
+    section.add_chart(
+        Table.of("order", "Mean strain error after one step", [
+            "scene", "iterations", "order", ("error", "strain error"), ("list", "in list order"),
+            ("change", "change of the error against list order", "+.1f", "%"),
+            ("more", "iterations for an equal error, by colour over list order")], rows),
+        title(scenes), "iterations", ["change", "more"], ["order"], held=["scene"], scale="log2", look="",
+        limits=limits,
         note="Errors are compared after the same number of iterations; below 0, order by colour has the "
              "smaller error. The line states how many times as fast a step by colour is. Below this line, "
-             "order by colour is faster than the oracle (scalar code in list order)."))
+             "order by colour is faster than the oracle (scalar code in list order).")
 
 
 def by_scene(rows):
     """Scene → rows of the benchmark, sorted by number of iterations."""
-    scenes = {}
-    for row in rows:
-        if row["name"].startswith("convergence/"):
-            scenes.setdefault(row["name"].split("/")[1], []).append(row)
+    scenes = group((row for row in rows if row["name"].startswith("convergence/")),
+                   lambda row: row["name"].split("/")[1])
     return {name: sorted(series, key=lambda row: row["sweeps"]) for name, series in scenes.items()}
 
 
 def speed(rows):
     """Time of a step in list order over its time by colour, in double precision; None if not measured."""
-    return next((row["ratio_to_oracle"] for row in rows if kind(row) == "step" and row["threads"] == 1
-                 and row["scalar"] == "double"), None)
+    step = whole_step(rows, "double")
+    return step and step["ratio_to_oracle"]
 
 
 def more(row):
@@ -76,10 +71,9 @@ def time_text(rows):
 
 def title(scenes):
     rows = [row for series in scenes.values() for row in series]
-    worse = [100 * (row["colour_over_mesh"] - 1) for row in rows]
-    known = [more(row) for row in rows if more(row)]
-    text = (f"Order by colour changes the error by {number(min(worse), 1)} to {number(max(worse), 1)} %")
-    if known:
-        text += (f". To reach the error of list order, order by colour needs {to(known)} times as many "
+    changes = [100 * (row["colour_over_mesh"] - 1) for row in rows]
+    text = f"Order by colour changes the error by {number(min(changes), 1)} to {number(max(changes), 1)} %"
+    if known := [more(row) for row in rows if more(row)]:
+        text += (f". To reach the error of list order, order by colour needs {span(known, 2)} times as many "
                  "iterations")
     return text.replace("-", "−")

@@ -1,8 +1,8 @@
 """The rows (measurements) of `bendlab bench --json`, and their form in tables and charts."""
 from collections import Counter
 
-from tables.numbers import number
 from bendlab.results import registry
+from bendlab.results.load import group
 from tables.table import Column, Table
 
 # Constraints of the membrane: name in the benchmark → name on the page.
@@ -13,7 +13,7 @@ PRECISION = {"float": "single", "double": "double"}
 RANGE = "median of the repetitions; the range is lowest to highest"
 # Columns for rows from shown().
 COLUMNS = {column.id: column for column in (
-    Column("kind"), Column("precision"), Column("vertices", "vertices", ",d"), Column("threads"),
+    Column("vertices", "vertices", ",d"),
     Column("ns", "time per constraint and iteration", "", "ns", RANGE),
     Column("range", "lowest – highest", "", "ns"),
     Column("vertex", "time per vertex and iteration", "", "ns", RANGE),
@@ -26,13 +26,16 @@ def kind(row):
     return row["name"].rpartition("/")[0]
 
 
+def first(rows, kind_name, **values):
+    """The first row of this kind that has these values, or None."""
+    return next((row for row in rows if kind(row) == kind_name and values.items() <= row.items()), None)
+
+
 def series(rows):
     """(kind, "float" or "double") → timed rows on one thread, sorted by number of vertices."""
-    timed = {}
-    for row in rows:
-        if row["threads"] == 1 and row["ns_per_constraint"] is not None:
-            timed.setdefault((kind(row), row["scalar"]), []).append(row)
-    return {key: sorted(same_kind, key=lambda row: row["vertices"]) for key, same_kind in timed.items()}
+    timed = [row for row in rows if row["threads"] == 1 and row["ns_per_constraint"] is not None]
+    return {key: sorted(same_kind, key=lambda row: row["vertices"])
+            for key, same_kind in group(timed, lambda row: (kind(row), row["scalar"])).items()}
 
 
 def model_of(name):
@@ -43,10 +46,8 @@ def model_of(name):
 
 def label(name):
     """The page's name for a kind of constraint."""
-    if name in STRAIN:
-        return STRAIN[name]
     model, more = RENAMED.get(name, (name, ""))
-    return f"{model} {'hinges' if registry.made_of(model) == 'hinges' else 'springs'}{more}"
+    return STRAIN.get(name, f"{model} {'hinges' if registry.made_of(model) == 'hinges' else 'springs'}{more}")
 
 
 def bending(table):
@@ -60,9 +61,9 @@ def kinds(table):
             *bending(table)]
 
 
-def at(table, name, scalar, vertices):
-    """The row of this kind with this number of vertices, or None."""
-    return next((row for row in table.get((name, scalar), []) if row["vertices"] == vertices), None)
+def at(table, names, vertices):
+    """The rows of these kinds in single precision with this number of vertices."""
+    return [row for name in names for row in table.get((name, "float"), []) if row["vertices"] == vertices]
 
 
 def usual(table):
@@ -78,32 +79,28 @@ def per_vertex(row, time="ns_per_constraint"):
     return row[time] * row["constraints"] / row["vertices"]
 
 
+def whole_step(rows, scalar="float"):
+    """The benchmark's row of a step on one thread, or None."""
+    return first(rows, "step", scalar=scalar, threads=1)
+
+
 def iterations(rows):
     """Number of iterations in a step, computed from the times of a step; None if no step was timed."""
-    for row in rows:
-        if kind(row) == "step":
-            return round(1e6 * row["step_ms"] / (row["ns_per_constraint"] * row["constraints"]))
-    return None
+    step = first(rows, "step")
+    return step and round(1e6 * step["step_ms"] / (step["ns_per_constraint"] * step["constraints"]))
 
 
-def lacking(table, names):
+def lacking(table, names, label_of=label, scalars=PRECISION):
     """The kinds in `names` that were not timed, as a line for each precision."""
-    return [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar in PRECISION
-            if (absent := [label(name) for name in names if (name, scalar) not in table])]
-
-
-def to(values, digits=2):
-    """The range as text, '1.3 to 8.4'; one number if both ends round to the same number."""
-    low, high = (number(value, digits) for value in (min(values), max(values)))
-    return low if low == high else f"{low} to {high}"
+    return [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar in scalars
+            if (absent := [label_of(name) for name in names if (name, scalar) not in table])]
 
 
 def shown(row):
     """A row of the benchmark as a row of a page's table."""
     values = {"precision": PRECISION[row["scalar"]], "vertices": row["vertices"], "threads": row["threads"],
               "range": (row["ns_lowest"], row["ns_highest"]),
-              "per_vertex": row["constraints"] / row["vertices"],
-              "ratio": row["ratio_to_oracle"],
+              "per_vertex": row["constraints"] / row["vertices"], "ratio": row["ratio_to_oracle"],
               "share": row["roofline_fraction"] and 100 * row["roofline_fraction"]}
     for end, time in (("", "ns_per_constraint"), ("_low", "ns_lowest"), ("_high", "ns_highest")):
         values |= {f"ns{end}": row[time], f"vertex{end}": per_vertex(row, time)}
@@ -112,5 +109,4 @@ def shown(row):
 
 def table(id, caption, columns, rows):
     """A table of shown() rows. A column is an id in COLUMNS, or a column of Table.of()."""
-    return Table.of(id, caption, [COLUMNS.get(column, column) if isinstance(column, str) else column
-                                  for column in columns], rows)
+    return Table.of(id, caption, [COLUMNS.get(column, column) for column in columns], rows)

@@ -1,6 +1,5 @@
 """The set-up with adaptive springs: time and memory from the rest mesh to the first step."""
 from figures.performance.rows import at, iterations, series, shown, table
-from tables.chart import Chart
 from tables.numbers import number
 
 PARTS = {"rings_and_pairs_s": "find rings and pairs",
@@ -14,33 +13,29 @@ def main(bench, out, section):
     if not timed:
         section.missing.append("set_up/…/float")
         return
-    rows = [shown(row) | {"springs": row["constraints"], "name": f"{row['constraints']:,} springs, "
-                          f"{row['vertices']:,} vertices", "seconds": row["set_up_s"],
-                          "bytes": row["peak_bytes_per_spring"]}
+    rows = [shown(row) | {"springs": row["constraints"],
+                          "name": f"{row['constraints']:,} springs, {row['vertices']:,} vertices",
+                          "seconds": row["set_up_s"], "bytes": row["peak_bytes_per_spring"]}
             | {part: row["ns_per_constraint"] * row[part] / row["set_up_s"] for part in PARTS}
             for row in timed]
-    section.tables.append(table("set_up", "Set-up", [
+    section.add_chart(table("set_up", "Set-up", [
         ("springs", "springs", ",d"), "vertices", ("ns", "time per spring", "", "ns"), "range",
         ("seconds", "set-up", "", "s"),
         *((part, label, "", "ns per spring") for part, label in PARTS.items()),
         ("bytes", "memory at its peak, before the first step", "", "bytes per spring"),
-        ("name", "", "", "ns", "time per spring", False)], rows))
-    section.charts.append(Chart("set_up", title(timed), "set_up", "name", list(PARTS), kind="bars"))
-
-
-def steps(row, timed, rounds):
-    """After how many steps projections of these springs have taken as long as the set-up; None if unknown."""
-    dense = at(timed, "dense", "float", row["vertices"])
-    return row["ns_per_constraint"] / dense["ns_per_constraint"] / rounds if dense and rounds else None
+        ("name", "", "", "ns", "time per spring", False)], rows), title(timed), "name", [*PARTS], kind="bars")
 
 
 def steps_text(rows):
+    """A sentence: after how many steps projections of the springs have taken as long as the set-up."""
     timed, rounds = series(rows), iterations(rows)
-    known = [row for row in timed.get(("set_up", "float"), []) if steps(row, timed, rounds)]
-    if not known:
+    known = [(row, dense) for row in timed.get(("set_up", "float"), [])
+             for dense in at(timed, ["dense"], row["vertices"])]
+    if not known or not rounds:
         return ""
-    return (f"Setting up {known[-1]['constraints']:,} springs takes as long as projecting them in "
-            f"{number(steps(known[-1], timed, rounds), 2)} steps.")
+    row, dense = known[-1]
+    return (f"Setting up {row['constraints']:,} springs takes as long as projecting them in "
+            f"{number(row['ns_per_constraint'] / dense['ns_per_constraint'] / rounds, 2)} steps.")
 
 
 def title(rows):

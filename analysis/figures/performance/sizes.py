@@ -1,6 +1,5 @@
 """The time per constraint against the size of the cloth."""
 from figures.performance.rows import PRECISION, at, label, lacking, series, shown, table, usual
-from tables.chart import Chart
 from tables.numbers import number
 
 OVER_SIZE = ("strain", "crossover", "dense")
@@ -13,25 +12,22 @@ def main(bench, out, section):
     rows = [shown(row) | {"kind": label(name), "code": code} for name in OVER_SIZE
             for code, key in (("fast", name), ("oracle", f"{name}_oracle"))
             for scalar in PRECISION for row in timed.get((key, scalar), [])]
-    section.tables.append(table("sizes", "Cost over size",
-                                ["kind", "code", "precision", "vertices", "ns", "range",
-                                 "ratio"], rows))
-    section.charts.append(Chart(
-        "sizes", title(timed), "sizes", "vertices", ["ns", "vertex"], ["kind", "code", "precision"],
-        y_scale="log",
-        look="", dashed="precision", note="The oracle is the scalar code that projects one constraint at a "
-                                          "time in list order, timed on one size of cloth."))
+    section.add_chart(
+        table("sizes", "Cost over size",
+              ["kind", "code", "precision", "vertices", "ns", "range", "ratio"], rows),
+        title(timed), "vertices", ["ns", "vertex"], ["kind", "code", "precision"], y_scale="log", look="",
+        dashed="precision", note="The oracle is the scalar code that projects one constraint at a time in "
+                                 "list order, timed on one size of cloth.")
 
 
 def title(timed):
     """The title: time per constraint on the largest cloth over the time on the usual size, see usual()."""
     size, rows = usual(timed), {name: timed.get((name, "float"), []) for name in OVER_SIZE}
-    largest = max((row["vertices"] for series in rows.values() for row in series), default=0)
-    grown = {label(name): series[-1]["ns_per_constraint"] / first["ns_per_constraint"]
-             for name, series in rows.items() if (first := at(timed, name, "float", size))
-             and series[-1]["vertices"] == largest > size}
+    largest = max((series[-1]["vertices"] for series in rows.values() if series), default=0)
+    grown = [f"{number(series[-1]['ns_per_constraint'] / first[0]['ns_per_constraint'])} for {label(name)}"
+             for name, series in rows.items() if (first := at(timed, [name], size))
+             and series[-1]["vertices"] == largest > size]
     if not grown:
         return "Time per constraint over the size of the cloth"
-    parts = " and ".join(f"{number(times)} for {name}" for name, times in grown.items())
-    return (f"Time of a constraint on {largest:,} vertices over its time on {size:,}: {parts} (single "
-            "precision)")
+    return (f"Time of a constraint on {largest:,} vertices over its time on {size:,}: {' and '.join(grown)} "
+            "(single precision)")

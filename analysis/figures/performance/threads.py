@@ -1,7 +1,6 @@
 """How much time several threads save: for one step, for two runs at once, and for recording frames."""
-from figures.performance.rows import PRECISION, kind
-from tables.chart import Chart
-from tables.numbers import number
+from figures.performance.rows import PRECISION, first, kind
+from tables.numbers import number, span
 from tables.table import Table
 
 
@@ -12,27 +11,26 @@ def main(bench, out, section):
     section.text += " " + beside_text(rows)
     if not any(len(series) > 1 for series in steps.values()):
         section.missing.append("a step on more than one thread: step/…/threads:…")
-    section.missing += [f"{name}/…" for name in ("recording", "sweep") if not named(rows, name)]
+    section.missing += [f"{name}/…" for name in ("recording", "sweep") if not first(rows, name)]
     if not steps:
         return
-    section.tables.append(Table.of("threads", "A step by threads", [
-        "precision", "threads", ("vertices", "vertices", ",d"), ("ms", "time per step", "", "ms"),
-        ("gain", "times as fast as one thread")], [
-            {"precision": PRECISION[scalar], "threads": row["threads"], "vertices": row["vertices"],
-             "ms": row["step_ms"],
-             "gain": gain(series, row), "name": f"{row['threads']} thread{'s' if row['threads'] > 1 else ''}"}
-            | {f"ms_{end}": row["step_ms"] * row[f"ns_{end}est"] / row["ns_per_constraint"]
-               for end in ("low", "high")}
-            for scalar, series in steps.items() for row in series]))
-    section.charts.append(Chart(
-        "threads", title(steps), "threads", "name", ["ms", "gain"], ["precision"], scale="band",
-        y_scale="linear",
-        look="", note="The step has strain and crossover springs. On one thread, times are processor times. "
-                      "On several threads, times are wall times, which other programs can increase."))
+    section.add_chart(
+        Table.of("threads", "A step by threads", [
+            "precision", "threads", ("vertices", "vertices", ",d"), ("ms", "time per step", "", "ms"),
+            ("gain", "times as fast as one thread")],
+            [shown(row, gain(series, row)) for series in steps.values() for row in series]),
+        title(steps), "name", ["ms", "gain"], ["precision"], scale="band", y_scale="linear", look="",
+        note="The step has strain and crossover springs. On one thread, times are processor times. On "
+             "several threads, times are wall times, which other programs can increase.")
 
 
-def named(rows, name):
-    return next((row for row in rows if kind(row) == name), None)
+def shown(row, gained):
+    """A row of a step as a row of the page's table."""
+    return {"precision": PRECISION[row["scalar"]], "threads": row["threads"], "vertices": row["vertices"],
+            "ms": row["step_ms"], "gain": gained,
+            "name": f"{row['threads']} thread{'s' if row['threads'] > 1 else ''}",
+            "ms_low": row["step_ms"] * row["ns_lowest"] / row["ns_per_constraint"],
+            "ms_high": row["step_ms"] * row["ns_highest"] / row["ns_per_constraint"]}
 
 
 def by_precision(rows):
@@ -49,8 +47,8 @@ def gain(steps, row):
 
 def beside_text(rows):
     """Text: how much time a second core saves for whole runs."""
-    sweep, recording, text = named(rows, "sweep"), named(rows, "recording"), []
-    between = lambda row, name: f"{number(row[f'{name}_lowest'])} to {number(row[f'{name}_highest'])}"
+    sweep, recording, text = first(rows, "sweep"), first(rows, "recording"), []
+    between = lambda row, name: span([row[f"{name}_lowest"], row[f"{name}_highest"]])
     if sweep:
         text.append(f"Two runs side by side are {number(sweep['speed_up'], 2)} times as fast as one "
                     f"after the other ({between(sweep, 'speed_up')}).")
@@ -63,7 +61,7 @@ def beside_text(rows):
 
 def title(steps):
     """The title: how much faster a step is on the largest number of threads."""
-    most = max((row["threads"] for series in steps.values() for row in series), default=1)
+    most = max((series[-1]["threads"] for series in steps.values()), default=1)
     gains = [f"{number(gain(series, series[-1]), 2)} times ({PRECISION[scalar]} precision)"
              for scalar, series in steps.items() if series[-1]["threads"] == most > 1]
     if not gains:

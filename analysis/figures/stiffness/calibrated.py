@@ -1,19 +1,20 @@
 """Measured stiffness over stated physical stiffness, compared with stiffness by the paper's rule."""
 import numpy as np
 
-from tables.numbers import number
 from bendlab.results import registry
-from runs import strips
 from bendlab.results.load import group
-from tables.chart import Chart
-from tables.section import Check
-from tables.table import Table
+from runs import strips
+from tables.numbers import span
 
 LIMITS = {"equilateral": 0.05, "delaunay": 0.15}
 STATED = "the stiffness in the config"
+NO_FIT = "from H/W; no fit is possible, because the n-ring at the clamp covers most of the strip"
 RULES = "stated stiffness", "the paper's rule (k = 0.5, eq. 6)"
 # Limits for hinges that are calibrated at small deflection
 SMALL_LIMITS = {"equilateral": 0.03, "alternating": 0.03, "both": 0.05, "delaunay": 0.03}
+# What small_deflection computes from the mesh
+COMPUTED = {"small_deflection": "sheet, mean over directions", "large_deflection": "sheet held to a cylinder",
+            "small_strip": "free narrow strip"}
 
 
 def main(results, out, section):
@@ -23,24 +24,79 @@ def main(results, out, section):
     membranes = strips.experiment_runs(results, section, "membrane")
     before = strips.experiment_runs(results, section, "resolution", "resolution_slow")
     small = strips.experiment_runs(results, section, "small_deflection")
-    section.text = intro_text(runs)
-    section.checks = [*_checks(runs), *_small_checks(small)]
-    if small:
-        section.text += " " + small_text(small)
-        section.tables.append(_small_table(small))
-    section.tables += [_table(runs), _summary(runs, before)] if runs else []
-    section.tables += [_membrane_table(membranes)] if membranes else []
-    section.charts = [
-        Chart("calibrated", "Does the stiffness change with the mesh?", "summary", "name", ["ratio"],
-              ["rule", "mesh"],
-              scale="band", y_scale="log", look="", on_top=True, limits=[("ratio", 1, "no change")],
-              note="Largest over smallest stiffness of all resolutions. Irregular meshes end at 48 cells."),
-        Chart("calibrated_cells", _title(section.table("summary")), "calibrated", "cells", ["share"],
-              ["name"],
-              held=["mesh"], scale="log2", look="model", limits=strips.as_stated("share")),
-        Chart("membrane", _membrane_title(section.table("membrane")), "membrane", "alpha",
-              ["share", "share_droop"],
-              ["model", "cells"], held=["mesh"], limits=strips.as_stated("share", "share_droop"))]
+    section.text = intro_text(runs) + (f" {small_text(small)}" if small else "")
+    for run in runs:
+        section.checks.append(strips.check(
+            run, "stiffness, measured over stated", 1, share(run), LIMITS[strips.family(run)], STATED,
+            model=name(run), note=NO_FIT if np.isnan(strips.fit(run, "C")) else ""))
+    for (model, family), own_runs in group(runs, lambda run: (name(run), strips.family(run))).items():
+        section.add_check("largest ratio of stiffness between two resolutions", model,
+                          strips.meshes_name(own_runs), 1 + LIMITS[family],
+                          strips.largest_ratio(map(share, own_runs)), 0, "calibration on every mesh", "most")
+    for run in small:
+        if run.get("/bending/deflection") == "small" and strips.family(run) in SMALL_LIMITS:
+            section.checks.append(strips.check(
+                run, "stiffness at small deflection, measured over stated", 1, strips.share_of_droop(run),
+                SMALL_LIMITS[strips.family(run)], STATED))
+    _add_small(section, small)
+    place = lambda run: (name(run), strips.family(run), strips.cells(run))
+    section.add_table("calibrated", "Calibrated", [
+        ("name", "model"), "mesh", ("cells", "cells along the length"),
+        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "measured from H/W over stated"),
+        ("p", "p of m ∝ κ^p", ".3f"), ("droop", "H/W"), ("springs", "springs", ".0f")],
+        [{"name": name(run), "model": run.model, "mesh": strips.mesh_kind(run), "cells": strips.cells(run),
+          "share": share(run), "share_droop": strips.share_of_droop(run), "p": strips.fit(run, "exponent"),
+          "droop": strips.droop(run),
+          "springs": strips.number(run, "springs") if registry.made_of(run.model) == "springs" else None}
+         for run in sorted(runs, key=place)])
+    ratios = _ratios(runs, RULES[0], name, share)
+    if runs:
+        ratios += _ratios(before, RULES[1], lambda run: run.model, strips.rigidity)
+    section.add_table("summary", "Largest over smallest stiffness of all resolutions", [
+        ("name", "model"), "rule", "mesh", ("cells", "cells"), ("ratio", "largest ratio", ".3f"),
+        ("share", "measured over stated", ".3f"), ("p", "p of m ∝ κ^p", ".2f"),
+        ("family", "family", "", "", "", False)], ratios)
+    section.add_chart("summary", "Does the stiffness change with the mesh?", "name", ["ratio"],
+                      ["rule", "mesh"], id="calibrated", scale="band", y_scale="log", look="", on_top=True,
+                      limits=[("ratio", 1, "no change")], note="Largest over smallest stiffness of all "
+                      "resolutions. Irregular meshes end at 48 cells.")
+    section.add_chart("calibrated", _title(ratios), "cells", ["share"], ["name"], id="calibrated_cells",
+                      held=["mesh"], scale="log2", look="model", limits=strips.as_stated("share"))
+    _add_membrane(section, membranes)
+
+
+def _add_small(section, runs):
+    """Adds the table of small deflections."""
+    place = lambda run: (strips.family(run), run.get("/mesh/rows", ""), run.get("/bending/deflection"))
+    rows = []
+    for run in sorted(runs, key=place):
+        rows.append({"mesh": strips.mesh_name(run), "deflection": run.get("/bending/deflection"),
+                     "share": strips.share_of_droop(run)})
+        for kind in COMPUTED:
+            value, least, most = (strips.number(run, f"model_{kind}{end}") for end in ("", "_least", "_most"))
+            rows[-1] |= {kind: value, f"{kind}_range": (least, most)}
+    section.add_table("small", "Small deflection: hinges (dihedral), the tip deflects by L / 1000", [
+        "mesh", ("deflection", "calibrated at deflection"), ("share", "measured over stated", ".3f"),
+        *(column for kind, label in COMPUTED.items()
+          for column in ((kind, label, ".3f"), (f"{kind}_range", "from – to", ".3f")))], rows)
+
+
+def _add_membrane(section, runs):
+    """Adds the table and the chart of the influence of the membrane."""
+    rows = [{"model": run.model, "mesh": strips.mesh_kind(run), "cells": strips.cells(run),
+             "alpha": run.get("/material/strain/compliance"), "share": share(run),
+             "share_droop": strips.share_of_droop(run)} for run in runs]
+    section.add_table("membrane", "What the compliance of the membrane does", [
+        "model", "mesh", ("cells", "cells"), ("alpha", "compliance α of the membrane", "", "m/N"),
+        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "the same from H/W", ".3f")],
+        rows)
+    shares = {mesh: [row["share"] for row in own_rows]
+              for mesh, own_rows in group(rows, lambda row: row["mesh"]).items()}
+    ranges = ", ".join(f"{mesh} {min(own):.2f} to {max(own):.2f}" for mesh, own in shares.items())
+    section.add_chart(
+        "membrane", f"The membrane reduces or increases the stiffness. Measured over stated: {ranges}",
+        "alpha", ["share", "share_droop"], ["model", "cells"], held=["mesh"],
+        limits=strips.as_stated("share", "share_droop"))
 
 
 def intro_text(runs):
@@ -59,31 +115,6 @@ def intro_text(runs):
             "this compliance.")
 
 
-def _checks(runs):
-    checks = []
-    for run in runs:
-        goal = LIMITS[strips.family(run)]
-        checks.append(Check("stiffness, measured over stated", name(run), strips.mesh_name(run), 1,
-                            share(run), goal, STATED, note=_note(run)))
-    for (model, family), own_runs in group(runs, lambda run: (name(run), strips.family(run))).items():
-        cells = sorted(strips.cells(run) for run in own_runs)
-        mesh = f"{strips.MESH_NAMES[family]}, {cells[0]} to {cells[-1]} cells"
-        checks.append(Check("largest ratio of stiffness between two resolutions", model, mesh,
-                            1 + LIMITS[family], strips.largest_ratio(map(share, own_runs)), 0,
-                            "calibration on every mesh", "most"))
-    return checks
-
-
-def _small_checks(small):
-    checks = []
-    for run in small:
-        goal = SMALL_LIMITS.get(strips.family(run))
-        if run.get("/bending/deflection") == "small" and goal:
-            checks.append(Check("stiffness at small deflection, measured over stated", run.model,
-                                strips.mesh_name(run), 1, share_of_droop(run), goal, STATED))
-    return checks
-
-
 def lengths_text(runs):
     """A sentence: the length of the springs in cm, and in edges at every resolution, from the configs."""
     springs = [run for run in runs if run.get(f"/bending/{run.model}/radius")
@@ -92,7 +123,7 @@ def lengths_text(runs):
         return ""
     radius = max(run.get(f"/bending/{run.model}/radius") for run in springs)
     edges = {strips.cells(run): round(radius * strips.cells(run) / run.get("/mesh/width")) for run in springs}
-    counts = [", ".join(map(str, numbers)) for numbers in (sorted(edges.values()), sorted(edges))]
+    counts = [", ".join(map(str, sorted(numbers))) for numbers in (edges.values(), edges)]
     return (f"Springs have one length, {100 * radius:.3g} cm, at every resolution ({counts[0]} edges at "
             f"{counts[1]} cells).")
 
@@ -115,105 +146,35 @@ def small_text(runs):
 
 def name(run):
     """The name of a run's model, and whether the run's pins have the paper's larger ring."""
-    return f"{run.model}, n-ring at pins" if run.model == "adaptive" and run.get(
-        "/bending/adaptive/pin_zone") else run.model
-
-
-def _note(run):
-    """A note if the stiffness of a run comes from H/W, with the reason."""
-    if np.isnan(strips.number(run, "stiffness_fit_C")):
-        return "from H/W; no fit is possible, because the n-ring at the clamp covers most of the strip"
-    return ""
-
-
-def share_of_droop(run):
-    """Stiffness from H/W over the stated stiffness."""
-    return strips.measured(run) / strips.stated(run)
+    wide = run.model == "adaptive" and run.get("/bending/adaptive/pin_zone")
+    return f"{run.model}, n-ring at pins" if wide else run.model
 
 
 def share(run):
     """Stiffness over the stated stiffness: from the moment-curvature fit, or from H/W if there is no fit."""
     kind = "C" if registry.has_springs_at_rest(run.model) else "B"
-    fit = strips.number(run, f"stiffness_fit_{kind}") / strips.stated(run)
-    return share_of_droop(run) if np.isnan(fit) else fit
+    fit = strips.fit(run, kind) / strips.stated(run)
+    return strips.share_of_droop(run) if np.isnan(fit) else fit
 
 
-def _title(rows):
+def _title(ratios):
     """The title: by which factors refinement changes the stiffness, with each rule."""
-    of = lambda rule: [row["ratio"] for row in rows if row["rule"] == rule and np.isfinite(row["ratio"])]
-    ruled, stated = of(RULES[1]), of(RULES[0])
+    stated, ruled = ([row["ratio"] for row in ratios if row["rule"] == rule] for rule in RULES)
     if not (ruled and stated):
         return "The stated stiffness, on finer meshes"
-    return (f"Refinement changes the stiffness by factors of {number(min(ruled), 2)} to "
-            f"{number(max(ruled), 2)} with the paper's rule, and of {min(stated):.2f} to {max(stated):.2f} "
-            "with a stated stiffness")
+    return (f"Refinement changes the stiffness by factors of {span(ruled, 2)} with the paper's rule, and of "
+            f"{min(stated):.2f} to {max(stated):.2f} with a stated stiffness")
 
 
-def _membrane_title(rows):
-    parts = [f"{mesh} {min(values):.2f} to {max(values):.2f}" for mesh, own_rows in group(
-        rows, lambda row: row["mesh"]).items() if (values := [row["share"] for row in own_rows])]
-    return f"The membrane reduces or increases the stiffness. Measured over stated: {', '.join(parts)}"
-
-
-def _membrane_table(runs):
-    rows = [{"model": run.model, "mesh": strips.MESH_NAMES[strips.family(run)], "cells": strips.cells(run),
-             "alpha": run.get("/material/strain/compliance"), "share": share(run),
-             "share_droop": share_of_droop(run)} for run in runs]
-    return Table.of("membrane", "What the compliance of the membrane does", [
-        "model", "mesh", ("cells", "cells"), ("alpha", "compliance α of the membrane", "", "m/N"),
-        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "the same from H/W", ".3f")],
-                    rows)
-
-
-def _summary(runs, before):
-    """Largest over smallest stiffness of each model on each kind of mesh, with each rule."""
-    rows = []
-    for rule, rule_runs, called, value in ((RULES[0], runs, name, share),
-                                           (RULES[1], before, lambda run: run.model, strips.rigidity)):
-        for (model, family), own_runs in group(sorted(rule_runs, key=called),
-                                               lambda run: (called(run), strips.family(run))).items():
-            numbers = list(map(value, own_runs))
-            exponents = [p for run in own_runs
-                         if np.isfinite(p := strips.number(run, "stiffness_fit_exponent"))]
-            stated = rule == RULES[0]
-            rows.append({"name": model, "rule": rule, "family": family, "mesh": strips.MESH_NAMES[family],
-                         "cells": (min(map(strips.cells, own_runs)), max(map(strips.cells, own_runs))),
-                         "ratio": strips.largest_ratio(numbers),
-                         "share": (min(numbers), max(numbers)) if stated else None,
-                         "p": (min(exponents), max(exponents)) if stated and exponents else None})
-    rows = [row for row in rows if np.isfinite(row["ratio"]) and row["name"] != "none"]
-    return Table.of("summary", "Largest over smallest stiffness of all resolutions", [
-        ("name", "model"), "rule", "mesh", ("cells", "cells"), ("ratio", "largest ratio", ".3f"),
-        ("share", "measured over stated", ".3f"), ("p", "p of m ∝ κ^p", ".2f"),
-        ("family", "family", "", "", "", False)], rows)
-
-
-def _small_table(runs):
-    rows = []
-    for run in sorted(runs, key=lambda run: (strips.family(run), run.get("/mesh/rows", ""),
-                                             run.get("/bending/deflection"))):
-        of = lambda kind: {kind: strips.number(run, f"model_{kind}"),
-                           f"{kind}_range": tuple(strips.number(run, f"model_{kind}_{end}")
-                                                  for end in ("least", "most"))}
-        rows.append({"mesh": strips.mesh_name(run), "deflection": run.get("/bending/deflection"),
-                     "share": share_of_droop(run), **of("small_deflection"), **of("large_deflection"),
-                     **of("small_strip")})
-    kinds = {"small_deflection": "sheet, mean over directions",
-             "large_deflection": "sheet held to a cylinder",
-             "small_strip": "free narrow strip"}
-    return Table.of("small", "Small deflection: hinges (dihedral), the tip deflects by L / 1000", [
-        "mesh", ("deflection", "calibrated at deflection"), ("share", "measured over stated", ".3f"),
-        *(column for kind, label in kinds.items()
-          for column in ((kind, label, ".3f"), (f"{kind}_range", "from – to", ".3f")))], rows)
-
-
-def _table(runs):
-    rows = [{"name": name(run), "model": run.model, "mesh": strips.MESH_NAMES[strips.family(run)],
-             "cells": strips.cells(run), "share": share(run), "share_droop": share_of_droop(run),
-             "p": strips.number(run, "stiffness_fit_exponent"), "droop": strips.droop(run),
-             "springs": strips.number(run, "springs") if registry.made_of(run.model) == "springs" else None}
-            for run in sorted(runs, key=lambda run: (name(run), strips.family(run), strips.cells(run)))]
-    return Table.of("calibrated", "Calibrated", [
-        ("name", "model"), "mesh", ("cells", "cells along the length"),
-        ("share", "stiffness, measured over stated", ".3f"), ("share_droop", "measured from H/W over stated"),
-        ("p", "p of m ∝ κ^p", ".3f"), ("droop", "H/W"), ("springs", "springs", ".0f")], rows)
+def _ratios(runs, rule, name_of, value):
+    """Rows: largest over smallest stiffness of each model on each kind of mesh."""
+    rows, groups = [], group(sorted(runs, key=name_of), lambda run: (name_of(run), strips.family(run)))
+    for (model, family), own_runs in groups.items():
+        values = list(map(value, own_runs))
+        exponents = [p for run in own_runs if np.isfinite(p := strips.fit(run, "exponent"))]
+        stated = rule == RULES[0]
+        rows.append({"name": model, "rule": rule, "family": family, "mesh": strips.MESH_NAMES[family],
+                     "cells": strips.cells_range(own_runs), "ratio": strips.largest_ratio(values),
+                     "share": (min(values), max(values)) if stated else None,
+                     "p": (min(exponents), max(exponents)) if stated and exponents else None})
+    return [row for row in rows if np.isfinite(row["ratio"]) and row["name"] != "none"]

@@ -15,9 +15,9 @@ from bendlab.results.load import load_run  # noqa: E402
 DIST = ROOT / "analysis/viewer/dist"
 
 
-def write_page(path, runs, **how):
+def write_page(path, runs, labels=None, limit=60e6):
     """Writes the page of these runs; returns its Playback."""
-    player = playback(runs, **how)
+    player = playback(runs, limit, labels or {run.id: run.name for run in runs}, None, [])
     script, style = ((DIST / f"viewer.{kind}").read_text(encoding="utf-8") for kind in ("js", "css"))
     data = json.dumps(player.data).replace("<", "\\u003c")
     policy = (

@@ -21,6 +21,17 @@ export function bottomAxis({ scale, ticks, text }, box, title, grid) {
   return group;
 }
 
+/** A second axis above the plot, for a chart that is taller than a screen. */
+export function topAxis({ scale, ticks, text }, box, title) {
+  const group = svg("g", { class: "axis", "aria-hidden": "true" });
+  for (const tick of ticks)
+    group.append(svg("text", { x: scale(tick), y: box.top - 20, "text-anchor": "middle" }, text(tick)));
+  group.append(
+    svg("text", { class: "title", x: (box.left + box.right) / 2, y: box.top - 40, "text-anchor": "middle" }, title),
+  );
+  return group;
+}
+
 /** The axis left of the plot. Its title is above the axis and is not rotated. */
 export function leftAxis({ kind, scale, ticks, text }, box, title) {
   const group = svg("g", { class: "axis", "aria-hidden": "true" });

@@ -3,7 +3,7 @@ import { line } from "d3-shape";
 import { button, html, svg } from "../page/dom.js";
 import { titled } from "../page/numbers.js";
 import { isChosen, whenChosen } from "../page/selection.js";
-import { bottomAxis, leftAxis } from "./axes.js";
+import { bottomAxis, leftAxis, topAxis } from "./axes.js";
 import { followPlayer } from "./clock.js";
 import { choice, takeAway, toggle } from "./controls.js";
 import { Legend } from "./legend.js";
@@ -11,6 +11,8 @@ import { mark, paint } from "./look.js";
 import { Pointing } from "./pointing.js";
 import { shownPoints } from "./points.js";
 import { axisScale, extent, LEAST_WIDTH } from "./scales.js";
+
+const TALL = 430; // px. A taller chart has an axis above the plot, too, so that a screen shows an axis.
 
 let made = 0;
 
@@ -127,13 +129,14 @@ export class LineChart {
     const { chart } = this;
     this.shown = shownPoints(chart, { ...this.state, hidden: this.legend.hidden });
     this.meaning.textContent = this.y.meaning ?? "";
+    this.#findNeighbours();
     const height = this.#height(width);
     const beside = this.#isBeside(width, height);
     const names = beside ? Math.min(this.legend.width + 34, width * 0.32) : 0;
     const box = {
       left: this.bands ? this.#categoryWidth(width) : 54,
       right: width - names - 14,
-      top: 26,
+      top: this.bands && height > TALL ? 62 : 26,
       bottom: height - 48,
     };
     this.#scales(box);
@@ -163,8 +166,9 @@ export class LineChart {
 
   #height(width) {
     if (!this.bands) return Math.max(300, Math.min(430, width * 0.5));
-    const rows = this.#categories().length * Math.max(1, this.#dodged() * 0.55);
-    return Math.max(150, 74 + rows * 27);
+    const row = Math.max(27, 14 + this.#dodged() * (this.#hasRanges() ? 13 : 6));
+    const bare = Math.max(150, 74 + this.#categories().length * row);
+    return bare > TALL ? bare + 36 : bare;
   }
 
   #isBeside(width, height) {
@@ -191,9 +195,22 @@ export class LineChart {
     return Math.min(longest * 7.8 + 16, width * 0.42);
   }
 
-  // The number of series whose points are drawn side by side at a category.
+  // Finds the series with points at each category. Their points are drawn side by side.
+  #findNeighbours() {
+    this.neighbours = new Map();
+    if (this.chart.dodge === false) return;
+    this.shown.forEach(({ points }, i) => {
+      for (const { x } of points) {
+        const all = this.neighbours.get(x) ?? [];
+        if (!all.includes(i)) all.push(i);
+        this.neighbours.set(x, all);
+      }
+    });
+  }
+
+  // The largest number of series whose points are drawn side by side at a category.
   #dodged() {
-    return this.chart.dodge === false ? 1 : Math.max(1, this.shown.length);
+    return Math.max(1, ...[...this.neighbours.values()].map((all) => all.length));
   }
 
   #scales(box) {
@@ -241,7 +258,10 @@ export class LineChart {
     const { chart, y } = this;
     const values = titled(y.label, y.unit),
       places = titled(chart.x.label, chart.x.unit);
-    if (this.bands) return [leftAxis(this.place, box, places), bottomAxis(this.value, box, values, true)];
+    if (this.bands) {
+      const across = [leftAxis(this.place, box, places), bottomAxis(this.value, box, values, true)];
+      return box.top > 40 ? [...across, topAxis(this.value, box, values)] : across;
+    }
     return [leftAxis(this.value, box, values), bottomAxis(this.place, box, places, false)];
   }
 
@@ -326,11 +346,12 @@ export class LineChart {
           : this.bands
             ? box.left
             : box.bottom;
-    const many = this.shown.length;
+    const beside = (this.bands ? this.neighbours.get(p.x) : [...this.shown.keys()]) ?? [];
+    const many = beside.length;
     const aside =
       this.chart.dodge === false || many < 2
         ? 0
-        : (i - (many - 1) / 2) *
+        : (beside.indexOf(i) - (many - 1) / 2) *
           (this.bands
             ? Math.min(this.#hasRanges() ? 13 : 6, 40 / many)
             : this.#hasRanges()
