@@ -68,7 +68,8 @@ std::vector<fs::path> sources_in(const fs::path& folder) {
 void check_rooms(const Rooms& rooms, const fs::path& folder, const std::string& prefix) {
   std::set<std::string> folders, known;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_directory()) folders.insert(entry.path().filename().string());
+    if (entry.is_directory() && entry.path().filename() != "__pycache__")
+      folders.insert(entry.path().filename().string());
   for (const auto& [room, allowed] : rooms) known.insert(room);
   CHECK(folders == known);
   for (const auto& [room, allowed] : rooms) {
