@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <optional>
 
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/rerun.hpp"
@@ -75,9 +76,10 @@ int rerun_command(const RerunArguments& arguments, bool json) {
     throw UsageError(fmt::format("'{}' is {}: only a run that has ended can be repeated", run.file.string(),
                                  to_string(run.status)));
   catch_stop_signals();
-  const ScratchFolder scratch;
+  std::optional<ScratchFolder> scratch;
+  if (arguments.out.empty()) scratch.emplace();
   const Repetition repetition =
-      repeat(run, arguments.out.empty() ? fs::path(scratch.path()) : arguments.out, {.stop = &stop_flag()});
+      repeat(run, scratch ? fs::path(scratch->path()) : arguments.out, {.stop = &stop_flag()});
   if (stop_exit_code() != 0) return stop_exit_code();
   if (json)
     print_text("{}\n", json_text(to_json(run, repetition)));

@@ -32,8 +32,8 @@ def main(results, out, section):
     rows = [row(run) | {"remedy": remedy(run), "effect": [*effects_of(run), "no effect"][0],
                         "pin": run.summary.get("pin_max_stretch", np.nan)}
             for run in sorted(pin, key=error, reverse=True)]
-    plain = next(run for run in pin if remedy(run).startswith("plain"))
     best = min(pin, key=lambda run: error(run) * cost(run))
+    plain = next((run for run in pin if remedy(run).startswith("plain")), best)
     section.add_chart(
         table("pin", "Remedies at the pin", [("remedy", "remedy"), "ms", "error_physical",
                                              ("pin", "largest stretch at the pin"), "strain"], rows),
