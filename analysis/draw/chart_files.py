@@ -69,7 +69,8 @@ def write_chart(chart, folder, name):
     columns = min(len(panels), 3 if len(panels) != 4 else 2)
     rows = -(-len(panels) // columns)
     band = chart["x"]["scale"] == "band"
-    longest = max(len(_categories(chart, _curves(chart, *panel))) for panel in panels)
+    categories = [_categories(chart, _curves(chart, *panel)) for panel in panels]
+    longest, alike = max(map(len, categories)), all(own == categories[0] for own in categories)
     tall = max(SIZE[1] * (0.5 if chart["held"] else 1), 0.6 + 0.24 * longest) if band else SIZE[1]
     figure, grid = plt.subplots(rows, columns, figsize=(SIZE[0] * columns, tall * rows), squeeze=False,
                                 layout="constrained", sharey=bool(chart["held"]) and not band)
@@ -80,6 +81,9 @@ def write_chart(chart, folder, name):
             continue
         _panel(axes, chart, *panel)
         axes.set_title(_held_text(chart, panel[1]), fontsize=8.5)
+        if not axes.get_subplotspec().is_first_col() and (alike if band else chart["held"]):
+            axes.set_ylabel("")
+            axes.tick_params(labelleft=False)
         handles |= {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
     if len(handles) > 1 and chart.get("legend", True):
         figure.legend(handles.values(), handles, loc="upper left", bbox_to_anchor=(1, 0.95), fontsize=8)
@@ -127,7 +131,7 @@ def _panel(axes, chart, number, held):
                           xytext=(0, 3), textcoords="offset points", fontsize=7.5, color=style.GREY)
     values = np.concatenate([y for _, _, y, _ in curves])
     _scales(axes, chart, [x for _, x, *_ in curves], values, categories)
-    axes.set_ylabel("" if band else textwrap.fill(_titled(number), 44))
+    axes.set_ylabel("" if band else textwrap.fill(_titled(number), 34))
     axes.set_xlabel(_titled(number if band else chart["x"]))
     return _write_texts(axes, chart, curves)
 
@@ -208,7 +212,10 @@ def _apart(values, least=1.35):
 
 
 def _held_text(chart, held):
-    return ", ".join(f"{axis['label']} {axis['values'][at]}" for axis, at in zip(chart.get("held", []), held))
+    """The values of the held axes. The name of an axis stands before a number."""
+    values = [(axis["label"], str(axis["values"][at])) for axis, at in zip(chart.get("held", []), held)]
+    return ", ".join(f"{label} {value}" if value[:1].isdigit() and " " not in value else value
+                     for label, value in values)
 
 
 # --- bars --------------------------------------------------------------------------------------------------

@@ -32,15 +32,23 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 
 
 def plain_log(axes, which="y"):
-    """Makes an axis logarithmic, with ticks like 0.2, 0.5, 1 instead of powers. Call this after drawing."""
+    """Makes an axis logarithmic, with ticks like 0.2, 0.5, 1, and powers only below 0.001 and from 10⁴. Call
+    this after drawing."""
     axes.set(**{f"{which}scale": "log"})
     axis = getattr(axes, f"{which}axis")
     low, high = axis.get_view_interval()
     decades = np.log10(high / low)
     subs = (1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,)
     axis.set_major_locator(LogLocator(subs=subs, numticks=20))
-    axis.set_major_formatter(lambda value, _: f"{value:,.0f}" if value >= 1000 else f"{value:g}")
+    axis.set_major_formatter(lambda value, _: _log_text(value))
     axis.set_minor_locator(NullLocator())
+
+
+def _log_text(value):
+    if 1e-3 <= value < 1e4:
+        return f"{value:,.0f}" if value >= 1000 else f"{value:g}"
+    factor, power = f"{value:.0e}".split("e")
+    return ("" if factor == "1" else rf"{factor}$\cdot$") + f"$10^{{{int(power)}}}$"
 
 
 _with_pdf = False

@@ -122,8 +122,8 @@ def _look(chart, table, row, place):
         look = {"model": looks.of_model, "method": looks.of_method}[chart.look](row[chart.look])
         alike = list(dict.fromkeys(_label(chart, table, other) for other in table.rows
                                    if other[chart.look] == row[chart.look]))
-        look |= looks.of_variant(alike.index(_label(chart, table, row)))
+        look = looks.variant(look, alike.index(_label(chart, table, row)))
     if chart.dashed:
         values = list(dict.fromkeys(other[chart.dashed] for other in table.rows))
-        look |= looks.of_variant(values.index(row[chart.dashed]))
+        look = looks.variant(look, values.index(row[chart.dashed]))
     return look

@@ -86,10 +86,11 @@ def of_method(name):
     return of_look(*method_look(method, bool(variant)))
 
 
-def of_variant(number):
-    """The dash and hollow mark of a variant of a series, by the variant's number; {} for number 0."""
+def variant(look, number):
+    """The style of a variant of a series, by the variant's number: another dash, and a hollow mark in place
+    of a filled mark or the other way round. The variant 0 is the series itself."""
     dash = _at(VARIANTS, number)
-    return {"dash": dash, "hollow": True} if dash else {}
+    return look | {"dash": dash, "hollow": not look.get("hollow")} if dash else look
 
 
 def line():

@@ -50,7 +50,12 @@ class Table:
         return cls(id, caption, made, [row if isinstance(row, dict) else dict(zip(ids, row)) for row in rows])
 
     def column(self, id):
-        return next((column for column in self.columns if column.id == id), None) or Column(id)
+        """The column with this id. A text of the rows that tables do not show needs no declaration."""
+        found = next((column for column in self.columns if column.id == id), None)
+        if found is None and not all(isinstance(row.get(id), str) for row in self.rows):
+            raise ValueError(f"the table {self.id} has no column {id}, but "
+                             f"{', '.join(column.id for column in self.columns)}")
+        return found or Column(id)
 
     def texts(self):
         """The cells of the columns that are shown, as texts."""

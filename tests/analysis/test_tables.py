@@ -92,8 +92,12 @@ class Tables(unittest.TestCase):
         self.assertEqual([column.title for column in columns],
                          ["drop (m)", "share of all", "x", "time (s)", "error share (%)"])
 
-    def test_a_column_that_is_not_listed_has_only_its_id(self):
-        self.assertEqual(self.table().column("far"), Column("far"))
+    def test_only_texts_of_rows_need_no_column(self):
+        table = Table.of("t", "", ["x"], [{"x": 1, "y": 2, "kind": "a"}, {"x": 2, "kind": "b"}])
+        self.assertEqual(table.column("kind"), Column("kind"))
+        for name in ("y", "absent"):
+            with self.assertRaisesRegex(ValueError, f"the table t has no column {name}, but x"):
+                table.column(name)
 
     def test_a_table_is_the_same_after_it_was_saved_as_json(self):
         table = self.table()
@@ -214,11 +218,12 @@ class Resolved(unittest.TestCase):
     def test_curves_of_the_same_model_have_different_lines(self):
         chart = chart_of(error_table(cells=(8, 16)), "ms", ["error"], ["model", "mesh"])
         self.assertEqual(labels_of(chart), ["none, grid", "none, disc", "dihedral, grid", "dihedral, disc"])
-        first, second, third, _ = (series["look"] for series in chart["series"])
-        self.assertEqual(first, looks.of_model("none"))
-        self.assertEqual(second, first | looks.of_variant(1))
-        self.assertNotEqual(first, second)
-        self.assertEqual(third, looks.of_model("dihedral"))
+        first, second, third, fourth = (series["look"] for series in chart["series"])
+        self.assertEqual([first, third], [looks.of_model("none"), looks.of_model("dihedral")])
+        for own, variant in ((first, second), (third, fourth)):
+            self.assertEqual((variant["light"], variant["mark"]), (own["light"], own["mark"]))
+            self.assertNotEqual(bool(variant.get("hollow")), bool(own.get("hollow")))
+            self.assertNotEqual(variant["dash"], own.get("dash"))
         self.assertEqual(len({json.dumps(series["look"]) for series in chart["series"]}), 4)
 
     def test_looks_by_order_and_by_method_and_dashes_by_a_column(self):
@@ -269,7 +274,7 @@ class Files(unittest.TestCase):
         meshes = ("grid", "disc", "tube", "sphere", "strip")
         panels = self.written(chart_of(error_table(meshes=meshes), "cells", ["error", "ms"],
                                        held=["mesh"], scale="log2", limits=[("error", 1, "enough")]))
-        self.assertEqual([axes.get_title(loc="left") for axes in panels], [f"mesh {mesh}" for mesh in meshes])
+        self.assertEqual([axes.get_title(loc="left") for axes in panels], list(meshes))
         for place, axes in enumerate(panels):
             curves = {line.get_label(): line for line in axes.lines}
             np.testing.assert_allclose(curves["none"].get_ydata(), np.array([12.5, 6.25, 3.125]) * 10**place)

@@ -82,4 +82,4 @@ def message(scene, stated):
                          f"{number(cost(run), 2)} ms")
         else:
             parts.append(f"no model reaches {level} %")
-    return f"{scene[0].upper()}{scene[1:]}: {', '.join(parts)}"
+    return f"{scene[:1].upper()}{scene[1:]}: {', '.join(parts)}"

@@ -14,7 +14,7 @@ def main(bench, out, section):
             for scalar in PRECISION for row in timed.get((key, scalar), [])]
     section.add_chart(
         table("sizes", "Cost over size",
-              ["kind", "code", "precision", "vertices", "ns", "range", "ratio"], rows),
+              ["kind", "code", "precision", "vertices", "ns", "range", "vertex", "ratio"], rows),
         title(timed), "vertices", ["ns", "vertex"], ["kind", "code", "precision"], y_scale="log", look="",
         dashed="precision", note="The oracle is the scalar code that projects one constraint at a time in "
                                  "list order, timed on one size of cloth.")

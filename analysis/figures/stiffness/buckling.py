@@ -43,7 +43,7 @@ def main(results, out, section):
         ("over", "Γ / Γ* of theory", ".3f"), ("squared", "(deflection / L)²", "", "10⁻⁴")], rows)
     section.add_chart(
         "buckling", title, "over", ["squared"], ["model", "width", "cells"], scale="linear", y_scale="linear",
-        look="", note="The squared deflection of the farthest vertex in static equilibrium. In theory, the "
+        note="The squared deflection of the farthest vertex in static equilibrium. In theory, the "
                       "deflection is 0 up to Γ / Γ* = 1.")
     rows = [{"model": "k_ring", "gravity": pull(run), "deflection": deflection(run)} for run in springs]
     section.add_check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3",

@@ -54,7 +54,7 @@ def main(results, out, section):
     powers = [f"{kind} {' to '.join(sorted({format(row['slope'], '.2f') for row in own_rows}))}"
               for kind, own_rows in group(rows, lambda row: row["kind"]).items()]
     section.add_chart("gravity", f"H/W grows as a power of g: {', '.join(powers)}", "g", ["droop"], ["line"],
-                      look="", note="Runs with H/W below 1. The hinges are discrete_shells.")
+                      note="Runs with H/W below 1. The hinges are discrete_shells.")
 
 
 def ring(run):
