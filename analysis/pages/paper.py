@@ -120,8 +120,8 @@ def with_configs(cells):
         base = bases.setdefault(config, own)
         cell |= {"base": list(bases).index(config), "changes": differing(base, own)}
         if len(lines) > 1 or len(points) > 1:
-            notes = [cell["told"], "the config below is the config of the first run"]
-            cell["told"] = "; ".join(filter(None, notes))
+            notes = [cell["outcome"], "the config below is the config of the first run"]
+            cell["outcome"] = "; ".join(filter(None, notes))
     return list(bases.values())
 
 

@@ -4,7 +4,8 @@ import numpy as np
 from bendlab.results.load import group
 from figures.plain import shares
 from pages.project import Content, Figure, Page, summary
-from runs.plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
+from runs.plain_cases import (ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, WARNED,
+                              WAY)
 from runs.stability_cases import worst_of
 from tables.numbers import number, unit_text
 from tables.section import write_objects
@@ -15,7 +16,7 @@ from web.verdicts import verdict_html
 
 # Verdict → CSS class of its count, CSS class of its runs, title of its runs
 LOOKS = {SILENT: ("no", "fails", "Wrong without a warning, one by one"),
-         TOLD: ("open", "amber", "Wrong with a warning"),
+         WARNED: ("open", "amber", "Wrong with a warning"),
          ALARM: ("open", "amber", "Reported as implausible, but no bound is broken"),
          SOUND: ("yes", "holds", "")}
 MANY = 20  # rows in a table of pairs
@@ -52,8 +53,8 @@ def answer(judged):
     if not judged:
         return "There are no runs yet."
     if not silent:
-        told = sum(run["verdict"] == TOLD for run in judged)
-        return (f"<b>No.</b> Of {len(judged)} runs {told} broke a bound, and each of these runs has a "
+        warned = sum(run["verdict"] == WARNED for run in judged)
+        return (f"<b>No.</b> Of {len(judged)} runs {warned} broke a bound, and each of these runs has a "
                 "warning.")
     worst = max(silent, key=lambda run: worst_of(run).excess)
     return (f"<b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: {escape(bound_text(worst))}, "
@@ -64,7 +65,7 @@ def about(run):
     worst, verdict, broken = worst_of(run), run["verdict"], ", ".join(run["broken"])
     value = {"value": worst.value} if np.isfinite(worst.value) else {"value": None, "text": "not finite"}
     return {"id": run["id"], "title": settings_text(run), "status": LOOKS[verdict][1],
-            "told": shares.NAMES[verdict] + (f": {run['told']}" if run["told"] else ""),
+            "outcome": shares.NAMES[verdict] + (f": {run['warnings']}" if run["warnings"] else ""),
             "worst": {"label": worst.name, **value, "limit": worst.limit, "unit": worst.unit,
                       "held": not broken, "note": f"broken: {broken}" if broken else ""},
             "command": run["command"]}

@@ -17,7 +17,7 @@ FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
 TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 
-SOUND, TOLD, SILENT, ALARM = "sound", "told", "silent", "false alarm"
+SOUND, WARNED, SILENT, ALARM = "sound", "warned", "silent", "false alarm"
 
 FALL = 1e-3  # share of the distance that a cloth without pins falls
 WAY = 0.1  # strain; woven cloth resists above a tenth (Provot 1995), cloth here is stated not to stretch
@@ -220,24 +220,24 @@ def fallen(t, h, second_order):
 NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings that have nothing to do with these bounds
 
 
-def told_by(run):
+def warnings_of(run):
     """What the program reports on a run: the status implausible or diverged, or the warnings, or ""."""
     codes = dict.fromkeys(warning["code"] for warning in run.warnings if warning["code"] not in NO_ANSWER)
     return run.status if run.status in ("implausible", "diverged") else ", ".join(codes)
 
 
-def verdict_of(status, bounds, told):
+def verdict_of(status, bounds, warnings):
     """The verdict on a run with this status, from its bounds and from what the program reports on it."""
     if all(bound.holds for bound in bounds):
         return ALARM if status in ("implausible", "diverged") else SOUND
-    return TOLD if told else SILENT
+    return WARNED if warnings else SILENT
 
 
 def judge(run, config_name):
     """A run as an object of summary.json."""
-    bounds, told = sorted(bounds_of(run), key=lambda bound: -bound.excess), told_by(run)
+    bounds, warnings = sorted(bounds_of(run), key=lambda bound: -bound.excess), warnings_of(run)
     broken = [bound.name for bound in bounds if not bound.holds]
     return {"config": config_name, "settings": settings_of(run.config),
-            "verdict": verdict_of(run.status, bounds, told), "status": run.status,
-            "worst": bounds[0].as_json(), "broken": broken, "told": told, "seconds": run.cpu_s,
+            "verdict": verdict_of(run.status, bounds, warnings), "status": run.status,
+            "worst": bounds[0].as_json(), "broken": broken, "warnings": warnings, "seconds": run.cpu_s,
             "command": command_of(f"{FOLDER}/{config_name}", run.point)}

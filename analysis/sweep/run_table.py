@@ -101,7 +101,7 @@ def about(report, run):
     """The data of a run for the page's scripts, without its frames."""
     sweep, title = report.sweep(run), report.labels[run.id]
     data = {"id": run.id, "label": report.short.get(run.id, title), "title": title, "name": run.name,
-            "status": run.status, "told": run_facts.in_short(run), "why": run_facts.why(run),
+            "status": run.status, "outcome": run_facts.in_short(run), "why": run_facts.why(run),
             "worst": run_facts.worst(run, sweep), "warnings": run.warnings,
             "command": run_facts.command(run, sweep),
             "view": run_facts.view_command(run, sweep) if run.frames else "",

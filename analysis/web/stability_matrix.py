@@ -92,7 +92,7 @@ def cases_html(runs):
     """(a table of the cases whose runs have different verdicts, a list of the other cases by colour). The
     table begins with the case that tells models apart best."""
     by_case, models = group(runs, lambda run: run["case"]), models_of(runs)
-    telling, alike = told_apart(by_case)
+    telling, alike = split_cases(by_case)
     rows = {}
     for name in telling:
         own = {(run["model"], run["precision"]): run for run in by_case[name]}
@@ -102,7 +102,7 @@ def cases_html(runs):
     return matrix_table("case", models, rows, "Cases and models", "cases", tall=True), alike
 
 
-def told_apart(by_case):
+def split_cases(by_case):
     """(the names of the cases in the table of cases_html(), the list of the other cases). `by_case`: name of
     a case → runs."""
     alike = {name: runs[0]["verdict"] for name, runs in by_case.items()
@@ -166,7 +166,7 @@ def methods_table(runs):
     by colour)."""
     by_case = group(runs, lambda run: run["case"])
     methods = list(group(runs, lambda run: run["method"]))
-    telling, alike = told_apart(by_case)
+    telling, alike = split_cases(by_case)
     rows = ""
     for name in telling:
         by_method = group(by_case[name], lambda run: run["method"])

@@ -106,7 +106,7 @@ def map_cells(claim_map, name):
         cell = claim_map.cells[place]
         if cell.command:
             yield {"id": id, "title": _place_text(place), "status": STATUS[cell.holds],
-                   "told": cell.seeds_text if cell.seeds else "", "command": cell.command,
+                   "outcome": cell.seeds_text if cell.seeds else "", "command": cell.command,
                    "worst": {"label": claim_map.number, "text": cell.text, "held": cell.holds,
                              "note": claim_map.rule}}
 

@@ -641,7 +641,7 @@ class StabilityTest(unittest.TestCase):
                  for case, pair in zip(cases, verdicts)
                  for precision, verdict in zip(("single", "double"), pair.split())}
         runs = [hard_run(*place, cell.verdict) for place, cell in cells.items()]
-        rows, _ = stability_matrix.told_apart(group(runs, lambda run: run["case"]))
+        rows, _ = stability_matrix.split_cases(group(runs, lambda run: run["case"]))
         self.assertEqual(rows, [cases[1].name])  # the last case has no runs
         matrix, uniform = stability_matrix.cases_html(runs)
         self.assertIn("The 2 cases in which all runs have one colour", uniform)
@@ -944,7 +944,7 @@ class PlainTest(unittest.TestCase):
     def test_a_broken_bound_without_a_warning_is_silent(self):
         self.assertEqual(self.verdict(0.2), plain_cases.SILENT)
         self.assertEqual(self.verdict(np.nan), plain_cases.SILENT)
-        self.assertEqual(self.verdict(0.2, "unconverged"), plain_cases.TOLD)
+        self.assertEqual(self.verdict(0.2, "unconverged"), plain_cases.WARNED)
         self.assertEqual(self.verdict(0.05, "unconverged"), plain_cases.SOUND)
         self.assertEqual(self.verdict(0.05, "implausible", "implausible"), plain_cases.ALARM)
 
@@ -971,7 +971,7 @@ class PlainTest(unittest.TestCase):
             write_run(Path(folder) / "run.vtkhdf", config, committed=1, status="diverged")
             judged = plain_cases.judge(load.load_run(Path(folder) / "run.vtkhdf"), "first")
         self.assertEqual(judged["broken"], ["time not simulated"])
-        self.assertEqual((judged["verdict"], judged["told"]), (plain_cases.TOLD, "diverged"))
+        self.assertEqual((judged["verdict"], judged["warnings"]), (plain_cases.WARNED, "diverged"))
         self.assertEqual(judged["settings"]["pins"], "an edge")
 
     def test_the_sweeps_in_both_units_have_the_same_rows(self):

@@ -127,7 +127,7 @@ class Table(unittest.TestCase):
         claim.cells[Place("", "no damping", "1 × 10", "a patch of 5 cm", 16)] = Cell(
             "0.5", True, "run a\nrun b", (1, 2))
         cell, = map_cells(claim, "map-1")
-        self.assertEqual((cell["told"], cell["command"], cell["status"]),
+        self.assertEqual((cell["outcome"], cell["command"], cell["status"]),
                          ("seeds 1, 2", "run a\nrun b", "holds"))
         self.assertNotIn("“", map_html(claim, "map-1"))  # not a quotation
 

@@ -6,15 +6,15 @@ import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.load import group
-from runs.plain_cases import (ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, TOLD, TWINS, judge,
+from runs.plain_cases import (ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, WARNED, TWINS, judge,
                               settings_of)
 from runs.sweeps import load_experiment
 from tables.numbers import number, rounded
 from tables.table import Table
 
-NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
+NAMES = {SILENT: "wrong without a warning", WARNED: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
-WRONG = (SILENT, TOLD)
+WRONG = (SILENT, WARNED)
 MIXED = ("metres", "millimetres", "methods")  # covering arrays: runs that mix all values evenly
 PLACE = {"model": registry.model_place, "method": lambda name: registry.method_place(name.split(", ")[0])}
 ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
@@ -49,14 +49,14 @@ def main(results, out, section):
     rows = []
     for axis in AXES:
         runs_of = group(mixed, lambda entry: entry["settings"][axis])
-        for value, verdict in itertools.product(in_order(axis, runs_of), (SILENT, TOLD, ALARM)):
+        for value, verdict in itertools.product(in_order(axis, runs_of), (SILENT, WARNED, ALARM)):
             count = len(runs_of[value])
             wrong = [entry["id"] for entry in runs_of[value] if entry["verdict"] == verdict]
-            if wrong or verdict == TOLD:
+            if wrong or verdict == WARNED:
                 rows.append({"setting": axis, "value": str(value), "runs": wrong, "number": count,
                              "what": NAMES[verdict], "share": 100 * len(wrong) / count})
     verdicts = Counter(entry["verdict"] for entry in mixed)
-    counts = ", ".join(f"{verdicts[verdict]} {NAMES[verdict]}" for verdict in (SOUND, TOLD, SILENT, ALARM))
+    counts = ", ".join(f"{verdicts[verdict]} {NAMES[verdict]}" for verdict in (SOUND, WARNED, SILENT, ALARM))
     section.add_chart(
         Table.of("shares", "Runs that broke a bound, by value of a setting", [
             "setting", "value", "what", ("share", "share of the runs with that value", ".2f", "%"),

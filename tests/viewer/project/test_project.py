@@ -157,8 +157,9 @@ class Kept(unittest.TestCase):
                 project.lay_out(page.PAGE, out)
                 self.only_ours((out / "index.html").read_text(encoding="utf-8"))
             run = {"id": MARKUP, "config": MARKUP, "settings": {MARKUP: MARKUP, "b": MARKUP},
-                   "verdict": "told", "status": MARKUP, "broken": [MARKUP], "told": MARKUP, "seconds": 1.0,
-                   "worst": {"what": MARKUP, "value": 2.0, "limit": 1.0, "unit": MARKUP}, "command": MARKUP}
+                   "verdict": "warned", "status": MARKUP, "broken": [MARKUP], "warnings": MARKUP,
+                   "seconds": 1.0, "command": MARKUP,
+                   "worst": {"what": MARKUP, "value": 2.0, "limit": 1.0, "unit": MARKUP}}
             mixed = run | {"config": "metres", "settings": {"model": MARKUP, "mesh": MARKUP}}
             (out / "summary.json").write_text(json.dumps([run] * 3 + [mixed | {"settings": run["settings"] |
                                               mixed["settings"]}]), encoding="utf-8")

@@ -161,7 +161,7 @@ export class Pointing {
     if (!p) return;
     const ring = svg("circle", { class: "ring", cx: p.at[0], cy: p.at[1], r: 8 });
     this.cursor.append(paint(ring, p.series.look));
-    this.tip.replaceChildren(...this.#told(p));
+    this.tip.replaceChildren(...this.#tipText(p));
     const width = this.owner.plot.clientWidth,
       tip = this.tip.getBoundingClientRect();
     const x = p.at[0] + 16 + tip.width > width ? p.at[0] - 16 - tip.width : p.at[0] + 16;
@@ -169,7 +169,7 @@ export class Pointing {
     this.tip.style.top = `${Math.max(0, p.at[1] - tip.height / 2)}px`;
   }
 
-  #told(p) {
+  #tipText(p) {
     const { chart, y } = this.owner;
     const place = this.owner.bands ? chart.x.categories[p.x] : exact(p.x, chart.x.unit);
     const lines = [

@@ -169,9 +169,9 @@ export class Controls {
     this.slider.value = player.time;
     this.slider.setAttribute("aria-valuetext", `${player.time.toFixed(digits)} s`);
     this.clock.textContent = `${player.time.toFixed(digits)} / ${player.last.toFixed(digits)} s`;
-    const told = JSON.stringify([quantity.name, range]);
-    if (this.told !== told) this.bar.show(quantity, range);
-    this.told = told;
+    const legend = JSON.stringify([quantity.name, range]);
+    if (this.legend !== legend) this.bar.show(quantity, range);
+    this.legend = legend;
     for (const { view, element } of player.cells) {
       const ended = player.time > view.frames.times.at(-1) + 1e-9;
       const state = element.querySelector(".player-state");

@@ -408,9 +408,9 @@ export class Player {
     this.stage.draw(this.cells, moving);
     ++this.drawn;
     const now = performance.now();
-    if (!this.playing || !(now - this.told < TELL_MS)) {
+    if (!this.playing || !(now - this.reportedAt < TELL_MS)) {
       this.controls.tell(quantity, range);
-      this.told = now;
+      this.reportedAt = now;
     }
     if (!this.playing || this.drawn % 8 === 0) this.#showPicked();
     return changed;

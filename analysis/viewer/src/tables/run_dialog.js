@@ -108,7 +108,7 @@ function about(run) {
       "p",
       {},
       html("span", { class: `status ${run.status}` }, run.status),
-      run.told && html("span", { class: "grey" }, ` · ${run.told}`),
+      run.outcome && html("span", { class: "grey" }, ` · ${run.outcome}`),
     ),
   ];
   const why = typeof run.why === "number" ? pageData().texts[run.why] : run.why;
