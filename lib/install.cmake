@@ -38,7 +38,7 @@ if(CMAKE_MATCH_1 EQUAL 16)  # what malloc() aligns to: the library would use it 
   target_compile_definitions(bendlab_flags INTERFACE $<BUILD_INTERFACE:EIGEN_MALLOC_ALREADY_ALIGNED=0>)
 endif()
 
-set(rooms parameters mesh constraints bending effects solver metrics scene io)
+set(rooms settings mesh constraints bending effects solver metrics scene io)
 foreach(room IN LISTS rooms ITEMS flags)
   set_target_properties(bendlab_${room} PROPERTIES EXPORT_NAME ${room})
 endforeach()

@@ -23,15 +23,15 @@ const fs::path library = fs::path(bendlab::places::source) / "lib" / "bendlab",
 /// Each room, and the rooms that it may include besides itself.
 using Rooms = std::map<std::string, std::set<std::string>>;
 const Rooms library_rooms = {
-    {"parameters", {}},
-    {"mesh", {"parameters"}},
-    {"constraints", {"parameters", "mesh"}},
-    {"bending", {"parameters", "mesh", "constraints"}},
-    {"effects", {"parameters", "mesh", "constraints"}},
-    {"solver", {"parameters", "mesh", "constraints"}},
-    {"metrics", {"parameters", "mesh"}},
-    {"io", {"parameters"}},
-    {"scene", {"parameters", "mesh", "constraints", "bending", "effects", "solver", "metrics"}},
+    {"settings", {}},
+    {"mesh", {"settings"}},
+    {"constraints", {"settings", "mesh"}},
+    {"bending", {"settings", "mesh", "constraints"}},
+    {"effects", {"settings", "mesh", "constraints"}},
+    {"solver", {"settings", "mesh", "constraints"}},
+    {"metrics", {"settings", "mesh"}},
+    {"io", {"settings"}},
+    {"scene", {"settings", "mesh", "constraints", "bending", "effects", "solver", "metrics"}},
 };
 /// In the order of experiments/README.md. Every room may include the library, too.
 const std::vector<std::pair<std::string, std::set<std::string>>> experiment_rooms = {

@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "bendlab/parameters/median.hpp"
+#include "bendlab/settings/median.hpp"
 #include "bendlab/solver/simulation.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/machine.hpp"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bendlab/io/disk.hpp"
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 #include "experiments/run/run_id.hpp"
 #include "experiments/run/version.hpp"
 

@@ -14,7 +14,7 @@
 
 #include "bendlab/io/disk.hpp"
 #include "bendlab/io/facts.hpp"
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/run/checked_read.hpp"
 

@@ -6,10 +6,10 @@
 #include <ctime>
 
 #include "bendlab/mesh/files.hpp"
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
+#include "bendlab/settings/names.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/cli/mesh_report.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "bendlab/io/run_file.hpp"
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/defaults.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "bendlab/parameters/random_numbers.hpp"
 #include "bendlab/scene/counted.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 namespace bendlab {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "bendlab/parameters/input_file.hpp"
 #include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/scene_json.hpp"
 #include "bendlab/scene/start_after.hpp"
+#include "bendlab/settings/input_file.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/config/references.hpp"
 #include "experiments/config/run_json.hpp"

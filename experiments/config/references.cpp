@@ -6,9 +6,9 @@
 #include <iterator>
 #include <span>
 
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/start_after.hpp"
+#include "bendlab/settings/names.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/config/run_json.hpp"
 

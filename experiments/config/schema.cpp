@@ -296,7 +296,7 @@ Json kinds_json(std::span<const Kind* const> kinds) {
     if constexpr (requires { kind->limits; }) entry["limits"] = kind->limits;
     if constexpr (requires { kind->compliance; }) entry["compliance"] = kind->compliance;
     add_more(*kind, entry);
-    entry["parameters"] = rows_json(rows_of(kind->settings));
+    entry["settings"] = rows_json(rows_of(kind->settings));
   }
   return json;
 }

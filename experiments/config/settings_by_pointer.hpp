@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bendlab/parameters/field.hpp"
 #include "bendlab/scene/pointers.hpp"
+#include "bendlab/settings/field.hpp"
 
 namespace bendlab {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "bendlab/parameters/field.hpp"
+#include "bendlab/settings/field.hpp"
 #include "experiments/config/cover.hpp"
 #include "experiments/config/run_config.hpp"
 

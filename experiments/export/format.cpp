@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 #include "experiments/run/errors.hpp"
 
 namespace bendlab {

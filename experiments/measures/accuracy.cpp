@@ -5,8 +5,8 @@
 #include <new>
 #include <optional>
 
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/energy.hpp"
+#include "bendlab/settings/names.hpp"
 #include "experiments/config/references.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/strip_doubts.hpp"

@@ -9,8 +9,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "bendlab/parameters/family.hpp"
-#include "bendlab/parameters/median.hpp"
+#include "bendlab/settings/family.hpp"
+#include "bendlab/settings/median.hpp"
 #include "experiments/config/config_tables.hpp"
 
 namespace bendlab {

@@ -7,8 +7,8 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/single_precision.hpp"
-#include "bendlab/parameters/median.hpp"
 #include "bendlab/scene/gravity.hpp"
+#include "bendlab/settings/median.hpp"
 
 namespace bendlab {
 namespace {

@@ -7,8 +7,8 @@
 #include <system_error>
 
 #include "bendlab/io/disk.hpp"
-#include "bendlab/parameters/archive.hpp"
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/archive.hpp"
+#include "bendlab/settings/input_file.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/run_id.hpp"
 

@@ -10,8 +10,8 @@
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/mesh/single_precision.hpp"
-#include "bendlab/parameters/input_file.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/input_file.hpp"
+#include "bendlab/settings/names.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/schema.hpp"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 #include "experiments/config/references.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/run/version.hpp"

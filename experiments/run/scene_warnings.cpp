@@ -9,9 +9,9 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
-#include "bendlab/parameters/median.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/scene/inside.hpp"
+#include "bendlab/settings/median.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {

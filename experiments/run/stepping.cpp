@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "bendlab/io/without_traps.hpp"
-#include "bendlab/parameters/archive.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/start_after.hpp"
+#include "bendlab/settings/archive.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
 

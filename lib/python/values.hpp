@@ -3,7 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "bendlab/parameters/field.hpp"
+#include "bendlab/settings/field.hpp"
 
 namespace bendlab {
 

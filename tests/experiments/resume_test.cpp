@@ -6,8 +6,8 @@
 #include <set>
 
 #include "bendlab/effects/effect.hpp"
-#include "bendlab/parameters/archive.hpp"
 #include "bendlab/scene/built_scene.hpp"
+#include "bendlab/settings/archive.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"

@@ -100,9 +100,9 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
     CHECK(models[i]["name"] == model.name);
     CHECK(models[i]["source"] == model.source);
     CHECK(models[i]["limits"] == model.limits);
-    REQUIRE(models[i]["parameters"].size() == model.settings.fields.size());
+    REQUIRE(models[i]["settings"].size() == model.settings.fields.size());
     for (std::size_t p = 0; p < model.settings.fields.size(); ++p)
-      CHECK(models[i]["parameters"][p]["name"] == model.settings.fields[p].name);
+      CHECK(models[i]["settings"][p]["name"] == model.settings.fields[p].name);
     CHECK_THAT(unwrapped(models_text()), ContainsSubstring(unwrapped(std::string(model.summary))));
   }
   for (std::size_t i = 0; i < effect_list.size(); ++i) {

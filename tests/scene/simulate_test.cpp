@@ -3,8 +3,8 @@
 #include <random>
 
 #include "bendlab/bendlab.hpp"
-#include "bendlab/parameters/random_numbers.hpp"
 #include "bendlab/scene/initial_pose.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 #include "bendlab/solver/time_step.hpp"
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"

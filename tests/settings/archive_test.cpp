@@ -1,5 +1,5 @@
 // State that is written is read back to the bit.
-#include "bendlab/parameters/archive.hpp"
+#include "bendlab/settings/archive.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "bendlab/parameters/family.hpp"
+#include "bendlab/settings/family.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -27,7 +27,7 @@ std::vector<int> corners(std::span<const Shape* const> shapes) {
 
 }  // namespace
 
-TEST_CASE("registry: kinds that a program adds come after the listed kinds", "[parameters]") {
+TEST_CASE("registry: kinds that a program adds come after the listed kinds", "[settings]") {
   Registry<Shape> shapes("shape", listed);
   CHECK(shapes.added().empty());
   shapes.add(hexagon);
@@ -35,7 +35,7 @@ TEST_CASE("registry: kinds that a program adds come after the listed kinds", "[p
   CHECK(corners(shapes.all()) == std::vector{3, 4, 6});
 }
 
-TEST_CASE("registry: an existing or invalid name is refused, and nothing is added", "[parameters]") {
+TEST_CASE("registry: an existing or invalid name is refused, and nothing is added", "[settings]") {
   Registry<Shape> shapes("shape", listed);
   constexpr Shape other{"square", 5};
   CHECK_THROWS_WITH(shapes.add(other), ContainsSubstring("shape 'square'") && ContainsSubstring("triangle"));
@@ -50,7 +50,7 @@ std::vector<std::string_view> names_of_four_corners() {
   return {"square", "rhombus"};
 }
 
-TEST_CASE("registry: data derived from the kinds are derived again when the kinds change", "[parameters]") {
+TEST_CASE("registry: data derived from the kinds are derived again when the kinds change", "[settings]") {
   Registry<Shape> shapes("shape", listed);
   const auto& before = bendlab::made_of_kinds<names_of_four_corners>();
   CHECK(&before == &bendlab::made_of_kinds<names_of_four_corners>());

@@ -1,6 +1,6 @@
 // Files that a user names are read to their end, or refused with the reason. Reading never waits and never
 // runs without end.
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 
 #include <sys/stat.h>
 

@@ -1,4 +1,4 @@
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -13,13 +13,13 @@ constexpr std::array<std::string_view, 2> colour_names = {"red", "green"};
 
 }  // namespace
 
-TEST_CASE("names: a table converts texts to enumerators and back", "[parameters]") {
+TEST_CASE("names: a table converts texts to enumerators and back", "[settings]") {
   for (const Colour colour : {Colour::red, Colour::green})
     CHECK(bendlab::named<Colour>(bendlab::name_in(colour_names, colour), colour_names) == colour);
   CHECK(bendlab::name_in(colour_names, Colour::green) == "green");
 }
 
-TEST_CASE("names: an unknown name is refused, and the message lists the known names", "[parameters]") {
+TEST_CASE("names: an unknown name is refused, and the message lists the known names", "[settings]") {
   std::string message;
   try {
     bendlab::named<Colour>("blue", colour_names);

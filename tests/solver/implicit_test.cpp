@@ -2,7 +2,7 @@
 #include <numbers>
 
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/implicit_step.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"

@@ -13,8 +13,8 @@
 #include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
-#include "bendlab/parameters/family.hpp"
-#include "bendlab/parameters/field.hpp"
+#include "bendlab/settings/family.hpp"
+#include "bendlab/settings/field.hpp"
 
 namespace bendlab {
 

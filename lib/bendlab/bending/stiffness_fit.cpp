@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bendlab/parameters/median.hpp"
+#include "bendlab/settings/median.hpp"
 
 namespace bendlab {
 

@@ -9,7 +9,7 @@
 
 #include "bendlab/mesh/orientation.hpp"
 #include "bendlab/mesh/rings.hpp"
-#include "bendlab/parameters/random_numbers.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 namespace bendlab {
 namespace {

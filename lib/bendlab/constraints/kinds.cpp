@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 

@@ -12,7 +12,7 @@
 #include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/constraints/point.hpp"
 #include "bendlab/constraints/quad.hpp"
-#include "bendlab/parameters/archive.hpp"
+#include "bendlab/settings/archive.hpp"
 
 namespace bendlab {
 

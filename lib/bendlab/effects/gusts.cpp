@@ -1,5 +1,5 @@
 #include "bendlab/effects/gusts.hpp"
-#include "bendlab/parameters/random_numbers.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 #include <cmath>
 #include <limits>

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "bendlab/effects/effects.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "bendlab/mesh/readers.hpp"
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 
 namespace bendlab {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "bendlab/mesh/delaunay.hpp"
-#include "bendlab/parameters/random_numbers.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 namespace bendlab {
 namespace {

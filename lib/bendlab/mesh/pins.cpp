@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "bendlab/mesh/rings.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bendlab/mesh/rest_mesh.hpp"
-#include "bendlab/parameters/random_numbers.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 namespace bendlab {
 namespace {

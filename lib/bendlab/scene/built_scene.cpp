@@ -16,11 +16,11 @@
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
 #include "bendlab/mesh/refined.hpp"
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/scene/initial_pose.hpp"
 #include "bendlab/scene/membrane.hpp"
 #include "bendlab/scene/rules.hpp"
+#include "bendlab/settings/names.hpp"
 #include "bendlab/solver/method.hpp"
 
 namespace bendlab {

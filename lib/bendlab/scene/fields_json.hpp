@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bendlab/parameters/field.hpp"
 #include "bendlab/scene/strict_json.hpp"
+#include "bendlab/settings/field.hpp"
 
 namespace bendlab {
 

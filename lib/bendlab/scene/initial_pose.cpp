@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "bendlab/parameters/random_numbers.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/strict_json.hpp"
+#include "bendlab/settings/random_numbers.hpp"
 
 namespace bendlab {
 namespace {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/fields_json.hpp"
 #include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/scene_tables.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {

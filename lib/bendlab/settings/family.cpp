@@ -1,4 +1,4 @@
-#include "bendlab/parameters/family.hpp"
+#include "bendlab/settings/family.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "bendlab/parameters/field.hpp"
+#include "bendlab/settings/field.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/settings/input_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bendlab/mesh/rest_mesh.hpp"
-#include "bendlab/parameters/field.hpp"
+#include "bendlab/settings/field.hpp"
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab {

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "bendlab/constraints/point.hpp"
-#include "bendlab/parameters/archive.hpp"
+#include "bendlab/settings/archive.hpp"
 
 namespace bendlab {
 

@@ -14,8 +14,8 @@
 #include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
-#include "bendlab/parameters/archive.hpp"
-#include "bendlab/parameters/family.hpp"
+#include "bendlab/settings/archive.hpp"
+#include "bendlab/settings/family.hpp"
 
 namespace bendlab {
 

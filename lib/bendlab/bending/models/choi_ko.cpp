@@ -1,7 +1,7 @@
 // Choi and Ko's model: cloth that is pushed together does not shorten, it buckles. The flexion springs of
 // this model join vertices two edges apart and push like the ends of a buckled arc.
 #include "bendlab/bending/models.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_hinges.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "bendlab/settings/names.hpp"
 
 namespace bendlab {
 namespace {
