@@ -200,14 +200,20 @@ TEST_CASE("ring options have their documented effect", "[bending]") {
       built("k_ring", rest, pins, {k, {"pinned_pairs", std::string("keep")}}).distance;
   CHECK(kept.size() == plain.size() + pinned * (pinned - 1) / 2);
 
-  // With straight distances: all pairs within two mean edge lengths.
-  const DistanceConstraints straight =
-      built("k_ring", rest, no_pins(rest), {k, {"distance", std::string("euclidean")}}).distance;
-  std::size_t expected = 0;
-  for (int a = 0; a < rest.vertex_count(); ++a)
-    for (int b = a + 1; b < rest.vertex_count(); ++b)
-      expected += (rest.position(a) - rest.position(b)).norm() <= 2 * rest.mean_edge_length();
-  CHECK(straight.size() == expected);
+  // With straight distances: all pairs within k mean edge lengths. Across the diagonals of this grid a vertex
+  // is up to √2 times as many edges away.
+  const RestMesh large(grid(1, 1, 24, 24));
+  for (const int level : {2, 4, 8}) {
+    const DistanceConstraints straight =
+        built("k_ring", large, no_pins(large),
+              {{"k", std::int64_t{level}}, {"distance", std::string("euclidean")}})
+            .distance;
+    std::size_t expected = 0;
+    for (int a = 0; a < large.vertex_count(); ++a)
+      for (int b = a + 1; b < large.vertex_count(); ++b)
+        expected += (large.position(a) - large.position(b)).norm() <= level * large.mean_edge_length();
+    CHECK(straight.size() == expected);
+  }
 
   // Lengths along edges are never shorter than straight ones, and a knight's move is as long as an edge and a
   // diagonal.

@@ -60,14 +60,18 @@ class PathLengths {
   std::vector<int> visited_;
 };
 
-// The largest possible number of edges on a path of `level` mean edge lengths: each edge is at least as long
-// as the shortest edge of the mesh.
-int hops_within(const RestMesh& rest, int level) {
-  double shortest = std::numeric_limits<double>::infinity();
+double longest_edge(const RestMesh& rest) {
+  double longest = 0;
   for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)
-    shortest = std::min(shortest, edge_length(rest, rest.edges()(e, 0), rest.edges()(e, 1)));
-  const double hops = std::ceil(level * rest.mean_edge_length() / shortest);
-  return static_cast<int>(std::min(hops, static_cast<double>(rest.vertex_count())));
+    longest = std::max(longest, edge_length(rest, rest.edges()(e, 0), rest.edges()(e, 1)));
+  return longest;
+}
+
+// Visits all vertices at most `reach` from the centre. The straight line to such a vertex crosses triangles,
+// whose corners are at most an edge farther away than `reach`; so the vertex is found along their edges.
+void walk_straight(RingWalker& walker, const RestMesh& rest, int centre, double reach, double longest_edge) {
+  walker.walk(centre, rest.vertex_count(),
+              [&](int v) { return edge_length(rest, centre, v) <= reach + longest_edge; });
 }
 
 int euclidean_ring(const RestMesh& rest, int a, int b) {
@@ -108,14 +112,16 @@ DistanceConstraints ring_springs(const BendingInput& input, const std::vector<in
   RingWalker walker(rest.one_ring());
   PathLengths path(rest);
   const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
-  const int most_hops = rule.euclidean_rings ? hops_within(rest, highest) : highest;
+  const double longest = rule.euclidean_rings ? longest_edge(rest) : 0;
   for (int centre = 0; centre < rest.vertex_count(); centre += input.stride) {
     const int level = levels[static_cast<std::size_t>(centre)];
     if (level == 0) continue;
-    const int hops = rule.euclidean_rings ? most_hops : level;
-    walker.walk(centre, hops);
-    if (rule.path_rest_length) path.measure(walker, hops);
-    for (int r = 1; r <= hops; ++r)
+    if (rule.euclidean_rings)
+      walk_straight(walker, rest, centre, highest * rest.mean_edge_length(), longest);
+    else
+      walker.walk(centre, level);
+    if (rule.path_rest_length) path.measure(walker, walker.rings());
+    for (int r = 1; r <= walker.rings(); ++r)
       for (const int vertex : walker.ring(r)) {
         const int ring = rule.euclidean_rings ? euclidean_ring(rest, centre, vertex) : r;
         if (!reaches(rule.fill, level, ring)) continue;
