@@ -17,7 +17,13 @@ namespace {
 
 std::vector<ExpectationResult> check(const CampaignRun& run) {
   if (!run.outcome) return {};
-  return check_expectations(run.experiment->expectations, *run.config, run.outcome->summary);
+  std::vector<ExpectationResult> results =
+      check_expectations(run.experiment->expectations, *run.config, run.outcome->summary);
+  // The metrics of a diverged run describe only the frames before, so they meet no expectation.
+  if (run.outcome->status == RunStatus::diverged)
+    for (ExpectationResult& result : results)
+      result.holds = false, result.message = "diverged; in the frames before, " + result.message;
+  return results;
 }
 
 /// The run's message, which may say why the run does not have the metric; "" if it has the metric.

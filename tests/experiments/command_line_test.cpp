@@ -228,6 +228,17 @@ TEST_CASE("The option --set overrides a value and replaces an axis, and --out na
   CHECK_FALSE(fs::exists(here.folder / "results"));
 }
 
+TEST_CASE("A run that diverges meets no expectation", "[command line]") {
+  Workplace here;
+  here.write("wild.json", R"({"name": "wild", "defaults": "paper",
+          "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
+      "effects": [{"type": "gravity", "acceleration": [0, 0, -1e9]}],
+      "expect": [{"metric": "vertices", "min": 25, "why": "five rows of five"}]})");
+  CHECK(here.run("run wild.json") == 6);
+  CHECK_THAT(here.out(),
+             ContainsSubstring("FAIL") && ContainsSubstring("diverged; in the frames before, vertices = 25"));
+}
+
 TEST_CASE("An expectation that does not hold exits with 1, and its reason is printed", "[command line]") {
   Workplace here;
   here.write("expect.json", R"({"name": "expect", "defaults": "paper",
