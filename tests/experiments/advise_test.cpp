@@ -248,7 +248,7 @@ TEST_CASE("advise: if nothing is advised, the reasons are stated", "[advise]") {
        {.cpu_s = 2},
        true,
        "No setting that is fast enough gives a usable result. Of 1 setting that fast, 1 stretched a "
-       "triangle to more than 1.5 times its length (the smallest: 2.5)."},
+       "triangle to more than 1.5 times the largest stretch of the reference (the smallest: 2.5 times)."},
       {slow, {.cpu_s = 0.5}, true, "No setting is that fast: the fastest setting takes 1e+03 ms."},
       {good, {.cpu_s = 2}, false, "The reference itself has an error of 68500 %, so", 685},
       {good, {.error = 0.05}, true, "The reference itself has an error of 10 %: cloth", 0.1},
@@ -387,20 +387,22 @@ TEST_CASE("advise: coarser meshes are offered, and compared with the mesh of the
 
 TEST_CASE("advise: the time limit includes the reference and is kept", "[advise]") {
   Scenes place;
-  const auto seconds_of = [&](const std::string& arguments, const std::string& text) {
+  const auto seconds_of = [&](const std::string& arguments, const auto& says) {
     const auto begin = std::chrono::steady_clock::now();
-    CHECK_THAT(place.answer("curtain.json " + arguments, 1), ContainsSubstring(text));
+    CHECK_THAT(place.answer("curtain.json " + arguments, 1), says);
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  constexpr double to_end = 5;  // s, to stop runs, which finish their step, and to read the results
+  // Time to stop runs, which finish their step, and to read the results, s; a busy machine takes longer.
+  constexpr double to_end = 20;
   // Hundreds of settings that take seconds: the answer is the best setting so far, and names settings not
-  // tried.
+  // tried. On a busy machine the time is over before the references are computed.
   CHECK(seconds_of("--set /mesh/cells=40 --set /duration=8 --error 0.05% --time-limit 8s",
-                   "not tried, because the time of --time-limit (8 s) was over") < 8 + to_end);
+                   ContainsSubstring("not tried, because the time of --time-limit (8 s) was over") ||
+                       ContainsSubstring("no advice is possible within --time-limit")) < 8 + to_end);
   // A reference that would take longer is not started.
   CHECK(seconds_of("--what motion --set /mesh/generator=tube --set /mesh/cells=100 --set /duration=60 "
                    "--error 5% --time-limit 2s",
-                   "even the coarsest reference is expected to take") < 2 + to_end);
+                   ContainsSubstring("even the coarsest reference is expected to take")) < 2 + to_end);
   CHECK_THAT(place.err(), ContainsSubstring("Give --time-limit"));
 }
 
