@@ -34,7 +34,8 @@ std::string unfit_text(const std::vector<Trial>& trials, double reference_strain
                     percent_text(least(rejected, &Trial::more_strain))));
   if (const auto& rejected = by_reason["stretch"]; !rejected.empty())
     parts.push_back(
-        fmt::format("{} stretched a triangle to more than {} times its length (the smallest: {:.3g})",
+        fmt::format("{} stretched a triangle to more than {} times the largest stretch of the reference (the "
+                    "smallest: {:.3g} times)",
                     rejected.size(), largest_stretch, least(rejected, &Trial::stretch)));
   if (const auto& rejected = by_reason["error"]; !rejected.empty())
     parts.push_back(fmt::format("{} had an error above {} (the smallest: {})", rejected.size(),

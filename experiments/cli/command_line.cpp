@@ -182,8 +182,10 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report every problem",
                                    [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
-  validate->add_flag("--strict", a.strict,
-                     "Build the scene of every run, and treat warnings about scenes as errors");
+  validate->add_flag(
+      "--strict", a.strict,
+      "Build the scene of every run, and treat warnings that are known before the first step as "
+      "errors");
 
   CLI::App* reproduce =
       add_command(app, a, "reproduce",
@@ -196,12 +198,14 @@ void add_run_commands(CLI::App& app, Arguments& a) {
             "plain scenes go wrong without a warning")
       ->check(CLI::IsMember(reproducible()));
   add_campaign(reproduce, a);
-  CLI::Option* full = reproduce->add_flag("--full", a.reproduce.full,
-                                          "Also run the configs that take longest, such as resolution 256");
+  CLI::Option* full = reproduce->add_flag(
+      "--full", a.reproduce.full,
+      "Also run the configs whose names end in _full, such as resolution 256 (stability, accuracy "
+      "and plain have no such configs)");
   reproduce
       ->add_flag("--quick", a.reproduce.quick,
-                 "Leave out configs whose names end in _slow (paper and plain have no such configs); the "
-                 "page says what is missing")
+                 "Leave out configs whose names end in _slow (everything, paper and plain have no such "
+                 "configs); the page says what is missing")
       ->excludes(full);
   CLI::Option* out = reproduce->add_option(
       "--out", a.reproduce.out,
@@ -399,7 +403,7 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
       ->add_option("--clamp-offset", a.stiffness.clamp_offset,
                    "How far behind the clamp's edge the strip begins to bend, in m (default: a quarter of "
                    "the reach of the bending constraints along the strip: h/2 for hinges on rows h apart, t "
-                   "h/4 for springs of ring t)")
+                   "h/4 for springs of ring t; 0 with physical stiffness)")
       ->check(CLI::NonNegativeNumber);
   stiffness
       ->add_option("--exclude", a.stiffness.exclude,

@@ -57,17 +57,17 @@ std::vector<fs::path> configs_in(const fs::path& folder) {
   return files;
 }
 
-/// The experiments of a stage. `leaves_out` becomes true if --quick leaves out a config.
+/// The experiments of a stage. `changed` becomes true if --quick leaves out a config, or --full adds a
+/// config.
 std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& folder,
-                                       const ReproduceArguments& arguments, bool& leaves_out) {
+                                       const ReproduceArguments& arguments, bool& changed) {
   ConfigArguments configs;
   for (const std::string_view place : stage.configs) {
     if (place.empty()) continue;
-    for (const fs::path& file : configs_in(folder / place))
-      if (is_left_out(file, arguments))
-        leaves_out = leaves_out || file.stem().string().ends_with("_slow");
-      else
-        configs.files.push_back(file);
+    for (const fs::path& file : configs_in(folder / place)) {
+      changed |= is_left_out(file, arguments) != is_left_out(file, {});
+      if (!is_left_out(file, arguments)) configs.files.push_back(file);
+    }
   }
   return load_experiments(configs);
 }
@@ -104,12 +104,12 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
                  page = pages / what.page;
   std::vector<std::vector<Experiment>>
       experiments;  // of each stage; all configs are checked before the first run
-  bool leaves_out = false;
+  bool changed = false;
   for (const PageStage& stage : what.stages)
-    experiments.push_back(experiments_of(stage, source / "configs", arguments, leaves_out));
-  if (arguments.quick && !leaves_out)
-    print_text(stderr, "bendlab: --quick changes nothing: no config of {} has a name that ends in _slow\n",
-               what.name);
+    experiments.push_back(experiments_of(stage, source / "configs", arguments, changed));
+  if ((arguments.quick || arguments.full) && !changed)
+    print_text(stderr, "bendlab: --{0} changes nothing: no config of {1} has a name that ends in _{2}\n",
+               arguments.quick ? "quick" : "full", what.name, arguments.quick ? "slow" : "full");
 
   int code = exit_ok;
   for (std::size_t i = 0; i < what.stages.size(); ++i) {

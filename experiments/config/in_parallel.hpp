@@ -13,8 +13,8 @@
 namespace bendlab {
 
 /// Calls work(i) for every i below `count`, in any order. Uses as many threads as there are cores, but at
-/// most 8, and at most one per `worth_a_thread` calls. If calls throw, rethrows the first exception, and may
-/// leave out the remaining calls.
+/// most 8, and at most one, and one more for every `worth_a_thread` calls. If calls throw, rethrows the first
+/// exception, and may leave out the remaining calls.
 template <class Work>
 void in_parallel(std::size_t count, std::size_t worth_a_thread, const Work& work) {
   constexpr std::size_t most_threads = 8, block = 64;

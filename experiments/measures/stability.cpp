@@ -169,13 +169,13 @@ std::vector<Quantity> stability_quantities() {
        "root mean square displacement of the vertices in the second half of the run, in mesh sizes"},
       {"stability_momentum_drift", "m/s",
        "largest difference between the velocity of the centre of mass and v0 + g t; only for a cloth without "
-       "pins, on which only gravity and damping act"},
+       "pins that lists no effects except gravity, rigid_damping and constraint_damping"},
       {"stability_rounding_speed", "m/s",
        "for comparison with stability_momentum_drift: the speed ε d / h that rounding a coordinate causes in "
        "a substep h, where d is the largest distance of a vertex from the centre of the rest box"},
       {"stability_spin_kept", "1",
        "angular momentum at the end divided by its value at the start; only for a spinning cloth without "
-       "pins, on which only gravity and damping act"},
+       "pins that lists no effects except gravity, rigid_damping and constraint_damping"},
       {"stability_energy_scale", "J",
        "total energy at the start plus the cloth's weight times its size. The total energy includes the "
        "elastic energy of constraints with a compliance; constraints with k have no elastic energy"},

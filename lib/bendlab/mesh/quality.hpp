@@ -9,11 +9,11 @@
 
 namespace bendlab {
 
-/// Limits beyond which a triangle counts as bad.
+/// Limits from which on a triangle counts as bad.
 struct QualityThresholds {
-  double needle_ratio = 4;  ///< longest to shortest edge, at least 1
-  double cap_angle = 160;   ///< degrees, 90 to 180
-  double small_angle = 10;  ///< degrees, 0 to 60
+  double needle_ratio = 4;  ///< longest to shortest edge, 1 or more: this ratio and larger ratios are bad
+  double cap_angle = 160;   ///< degrees, 90 to 180: this angle and larger angles are bad
+  double small_angle = 10;  ///< degrees, 0 to 60: smaller angles are bad
 };
 
 struct QualityMeasure {

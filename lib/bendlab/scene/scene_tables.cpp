@@ -183,8 +183,9 @@ constexpr std::array pins = {
                            "paper pins one ring; such a clamp becomes smaller if the mesh is refined",
                 .minimum = 0, .maximum = 64}),
       field<&Pinning::distance>({.name = "distance", .unit = "m",
-                .meaning = "Vertices within this distance of a vertex that vertices or indices list are "
-                           "pinned, too. Such a clamp has the same width at every resolution",
+                .meaning = "Vertices are pinned, too, within this distance of a vertex that vertices or "
+                           "indices list, or of an edge between two such vertices. Such a clamp has the "
+                           "same width at every resolution",
                 .minimum = 0}),
 };
 
@@ -293,11 +294,12 @@ constexpr std::array solver = {
               .minimum = 1, .maximum = 100000, .read_when = counts_iterations}),
     field<&Solver::precision>({.name = "precision",
               .meaning = "Precision of the solver's numbers. auto: single precision, but double in two "
-                         "cases. First, an effect moves vertices directly (an obstacle, tethers, …), and a "
-                         "substep is so short that the speed which gravity adds is small compared with "
-                         "rounding errors. Second, quasi_newton simulates a membrane whose strain under the "
-                         "cloth's weight is smaller than rounding errors. The provenance of a run contains "
-                         "the precision that was used",
+                         "cases. First, a substep is so short that the speed which gravity adds is small "
+                         "compared with rounding errors, and the solver stores whole positions: quasi_newton "
+                         "and kang_cho always do, pbd if an effect moves vertices directly (an obstacle, "
+                         "tethers, …). Second, quasi_newton with the stated membrane, whose strain under the "
+                         "cloth's weight is less than 5 times the rounding errors. The provenance of a run "
+                         "contains the precision that was used",
               .choices = chosen_precision_names, .read_when = has_precisions}),
     field<&Solver::threads>({.name = "threads", .unit = "1",
               .meaning = "Number of threads of a run. The result is exactly the same for any number of "

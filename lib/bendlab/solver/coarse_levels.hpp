@@ -11,7 +11,8 @@
 // The points of a coarse level are vertices, about twice as far apart as the points of the next finer level.
 // A span joins two neighbouring points. A span resists only if its points are farther apart than the shortest
 // path between the points along the cloth at rest. In a cloth that does not stretch, folded or not, no two
-// points are farther apart than this path. So spans never contradict the cloth's own constraints. (A coarse
+// points are farther apart than this path. So spans do not contradict the cloth's own constraints. (Beside a
+// hole, a span may be too short by up to 0.3 edges, because geodesic_distances() is inexact there. A coarse
 // mesh with lengths and angles of its own contradicts the cloth's constraints: it moves a folded cloth away
 // from rest, Müller 2008.) Hat functions spread the move of a point to the finer points. The hat function of
 // a point falls from 1 to 0 over the least distance between points. The hat functions of all points sum to 1.

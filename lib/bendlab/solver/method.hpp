@@ -111,7 +111,7 @@ struct MethodKind {
   double residual_of_lag = 2, residual_of_lag_on_obstacle = 1;
   /// A sentence on what reduced this lag in tests; null: more iterations.
   std::string (*remedy_of_lag)(const void* settings, const UnconvergedRun&) = nullptr;
-  /// Changes of settings that helped a failed run in trials, with numbers; null: nothing was tried.
+  /// Changes of settings that helped a failed run in trials; null: nothing was tried.
   std::vector<std::string> (*remedies)(const void* settings, const FailedRun&) = nullptr;
   /// Sorts the scene's lists before a simulation is made; null: the lists stay as they are.
   void (*sort)(const void* settings, SimulationInput& input, const RestMesh& rest) = nullptr;

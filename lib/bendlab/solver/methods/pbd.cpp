@@ -171,7 +171,7 @@ struct PbdData {
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  // Double precision needs no remainders: at 4096 substeps a second velocities are rounded by 10⁻¹¹ m/s.
+  // Double precision needs no remainders: with 4096 substeps in 1/60 s, velocities are rounded by 3e-11 m/s.
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_pass, Base::append_effects, Base::constraints_, Base::cut_substeps_, Base::find_divergence,
@@ -479,9 +479,8 @@ void sort(const Pbd& settings, SimulationInput& input, const RestMesh& rest) {
 
 // ---- remedies for a run that failed
 
-// experiments/measure_remedies.py has the trials and their numbers. Other changes helped less, or not in
-// every scene: 40 iterations, 10 substeps with 1 iteration, another precision, k / 10, the orders pins and
-// mesh, a pinned ring. Forward sweeps add energy if substeps are short: in the trial, 256 substeps did.
+// experiments/measure_remedies.py has the trials of these remedies, and their numbers. Forward sweeps add
+// energy if substeps are short: in the trial, 256 substeps per step did.
 constexpr int many_substeps = 200;
 
 std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
@@ -495,8 +494,8 @@ std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
   }
   if (settings.sweep == Sweep::forward && steps.substeps >= many_substeps)
     texts.push_back(
-        fmt::format("/solver/sweep: symmetric (in 1024 substeps a sheet at rest gained a kinetic energy of "
-                    "{:.2g} J instead of {:.2g} J)",
+        fmt::format("/solver/sweep: symmetric (in 0.5 s with 1024 substeps per step, a sheet at rest gained "
+                    "a kinetic energy of {:.2g} J instead of {:.2g} J)",
                     still_symmetric, still_forward));
   if (run.is_prestressed)
     texts.push_back(fmt::format(
@@ -505,12 +504,12 @@ std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
         pushed_k_tenth, pushed, pushed_isometric));
   if (run.is_pinned && !run.helps_projection)
     texts.push_back(fmt::format(
-        "the effect tethers (triangles {:.2g} instead of {:.2g} to {:.2g} times as long as at rest)",
+        "the effect tethers (triangles {:.4g} instead of {:.4g} to {:.4g} times as long as at rest)",
         torn_with_tethers, torn_least, torn_most));
   if (settings.flight_limit == 0 && steps.dt / steps.substeps > long_step)
     texts.push_back(fmt::format(
-        "/solver/flight_limit: 0.25 (triangles {:.2g} instead of {:.2g} times as long with steps of 1/15 s, "
-        "{:.2g} instead of {:.2g} with steps of 1 s)",
+        "/solver/flight_limit: 0.25 (triangles {:.4g} instead of {:.4g} times as long with steps of 1/15 s, "
+        "{:.4g} instead of {:.4g} with steps of 1 s)",
         steps_of_a_fifteenth_limited, steps_of_a_fifteenth, steps_of_a_second_limited, steps_of_a_second));
   if (!run.is_pinned && run.input.strain_stiffness.form == StrainForm::normalised)
     texts.push_back(
@@ -519,8 +518,8 @@ std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
                     stretched_angle, stretched_normalised));
   if (run.is_pinned && steps.substeps < 10)
     texts.push_back(
-        fmt::format("/solver/substeps: 10, with the same /solver/iterations (triangles {:.2g} to {:.2g} "
-                    "instead of {:.2g} to {:.2g} times as long, in ten times the time)",
+        fmt::format("/solver/substeps: 10, with the same /solver/iterations (triangles {:.4g} to {:.4g} "
+                    "instead of {:.4g} to {:.4g} times as long, in ten times the time)",
                     torn_in_10_substeps_least, torn_in_10_substeps_most, torn_least, torn_most));
   return texts;
 }

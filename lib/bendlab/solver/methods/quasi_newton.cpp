@@ -320,6 +320,8 @@ std::string remedy_of_lag(const QuasiNewton& settings, const UnconvergedRun& run
       quasi_newton_auto_2, quasi_newton_auto_20);
 }
 
+// Energy that a strip gained in one trial, as a share of its energy scale: 0.21 with bdf2 and 0.015 with
+// euler, both with 10 iterations; with euler 0.06 with 3 iterations and none with 30.
 std::vector<std::string> remedies(const QuasiNewton& settings, const FailedRun& run) {
   std::vector<std::string> texts;
   if (run.fell_wrong) return texts;  // nothing was tried there
