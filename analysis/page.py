@@ -41,6 +41,8 @@ def main():
     if arguments.again and not (out / KEPT).exists():
         parser.error(f"--again needs {out / KEPT}, which does not exist. Leave out --again, or name the "
                      "folder of a page with --out or --committed")
+    if not arguments.again and not results.exists():
+        parser.error(f"{results} does not exist: make it with {page.command}, or name another --results")
     if arguments.figure:
         out.mkdir(parents=True, exist_ok=True)
         section = drawn(page.figures[ids.index(arguments.figure)], results, out, page.command)

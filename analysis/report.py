@@ -38,8 +38,9 @@ def main():
         report = Report(collect(arguments.results), command, arguments.play, limit,
                         asked=arguments.x and (arguments.x, arguments.y))
         write_page(out, report.html())
-        if arguments.figures:  # with --x and --y only the chart of these two metrics
-            wanted = [chart for chart in report.charts if not arguments.x or chart["id"].endswith(ASKED)]
+        # with --x and --y only the chart of these two metrics
+        wanted = [chart for chart in report.charts if not arguments.x or chart["id"].endswith(ASKED)]
+        if arguments.figures:
             files = chart_files.write(wanted, out.parent / "figures", arguments.figures)
     except ValueError as error:
         tell(error)
@@ -48,6 +49,10 @@ def main():
         tell(f"the page could not be written to {out}: {error.strerror or error}. Name another file with -o")
         return 5
     print(out, flush=True)
+    if arguments.x and not wanted:
+        tell(f"no chart is drawn of {arguments.y} against {arguments.x}: no finished run has both")
+    elif arguments.figures and not files:
+        tell("no figure is drawn: no run has finished, or the runs do not differ")
     if files:
         print(files[0] if len(files) == 1 else f"{files[0].parent}: {len(files)} figures", flush=True)
     if arguments.open and not browser.opened(out.resolve().as_uri()):

@@ -13,7 +13,7 @@ from matplotlib.ticker import NullLocator
 from draw import style
 
 MOST_TEXTS = 30  # a figure with more points has no texts beside its points
-MOST_PANELS, MOST_NUMBERS = 18, 3  # of one chart in one file
+MOST_PANELS = 18  # with a value of a held axis each, in one file
 DECADE = 10  # an axis is logarithmic if its numbers span at least this factor
 SIZE = (4.4, 3.1)  # inches, of the axes with their labels
 MOST_MARKS = 60  # a curve with more points is a line without marks
@@ -60,12 +60,13 @@ def write_chart(chart, folder, name):
     if chart["held"]:
         first, *others = chart["held"]
         panels = [(chart["ys"][0], [at, *(axis["at"] for axis in others)])
-                  for at in range(len(first["values"]))][:MOST_PANELS]
+                  for at in range(len(first["values"]))]
     else:
-        panels = [(number, []) for number in chart["ys"][:MOST_NUMBERS]]
+        panels = [(number, []) for number in chart["ys"]]
     panels = [panel for panel in panels if _curves(chart, *panel)]
     if not panels:
         return None
+    panels, left_out = (panels[:MOST_PANELS], panels[MOST_PANELS:]) if chart["held"] else (panels, [])
     columns = min(len(panels), 3 if len(panels) != 4 else 2)
     rows = -(-len(panels) // columns)
     band = chart["x"]["scale"] == "band"
@@ -87,7 +88,8 @@ def write_chart(chart, folder, name):
         handles |= {label: handle for handle, label in zip(*axes.get_legend_handles_labels())}
     if len(handles) > 1 and chart.get("legend", True):
         figure.legend(handles.values(), handles, loc="upper left", bbox_to_anchor=(1, 0.95), fontsize=8)
-    title = textwrap.fill(chart["title"], int(13 * SIZE[0] * columns))
+    more = f" (not drawn: {len(left_out)} more values of {first['label']})" if left_out else ""
+    title = textwrap.fill(chart["title"] + more, int(13 * SIZE[0] * columns))
     figure.suptitle(title, x=0.01, ha="left", fontsize=11)
     return style.save(figure, folder, name, large=0)
 
@@ -100,6 +102,8 @@ def _lines(chart, number):
         return None
     figure, axes = plt.subplots(figsize=SIZE)
     texts = _panel(axes, chart, number, held)
+    if chart["x"]["scale"] == "band":
+        axes.set_ylabel(_titled(chart["x"]))
     if len(curves) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), fontsize=7.5, ncol=1 + (len(curves) > 18))
     axes.set_title(", ".join(filter(None, [_held_text(chart, held), texts])), fontsize=8, color=style.GREY)
@@ -208,14 +212,15 @@ def _apart(values, least=1.35):
     for value in values:
         if not kept or value >= least * kept[-1]:
             kept.append(value)
-    return kept
+    return kept if len(kept) > 1 else sorted({*values[:1], *values[-1:]})
 
 
 def _held_text(chart, held):
     """The values of the held axes. The name of an axis stands before a number."""
-    values = [(axis["label"], str(axis["values"][at])) for axis, at in zip(chart.get("held", []), held)]
-    return ", ".join(f"{label} {value}" if value[:1].isdigit() and " " not in value else value
-                     for label, value in values)
+    values = [(axis, str(axis["values"][at])) for axis, at in zip(chart.get("held", []), held)]
+    return ", ".join(f"{axis['label']} {value}"
+                     if axis.get("named", value[:1].isdigit() and " " not in value) else value
+                     for axis, value in values)
 
 
 # --- bars --------------------------------------------------------------------------------------------------
@@ -226,11 +231,12 @@ def _bars(chart):
     left = np.zeros(len(rows))
     for part, *values in zip(chart["parts"], *(row["values"] for row in rows)):
         if not part.get("hidden"):
-            width = np.array([value or 0 for value in values], float)
+            width = np.array([value if isinstance(value, (int, float)) else 0 for value in values], float)
             axes.barh(range(len(rows)), width, left=left, height=0.7, color=part["look"]["light"],
                       label=part["label"])
             left += width
-    axes.set_yticks(range(len(rows)), labels=[row["label"] for row in rows])
+    axes.set_yticks(range(len(rows)), labels=[
+        row["label"] + (", ∞" if "∞" in row["values"] else "") for row in rows])
     axes.invert_yaxis()
     axes.set_title(textwrap.fill(chart["title"], 60))
     axes.grid(False, axis="y")

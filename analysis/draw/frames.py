@@ -61,21 +61,22 @@ def playback(runs, limit, labels, most, offered):
         if not frames or size > limit:
             break
         packed[run.id] = frames
-    runs = [*runs, *(run for run in offered if run.id in packed)]
+    shown, runs = len(runs), [*runs, *(run for run in offered if run.id in packed)]
     data = {"colours": colours(), "quantities": QUANTITIES,
             "runs": [{"id": run.id, "label": labels[run.id], "name": run.name, "status": run.status,
                       "frames": packed[run.id].head if packed[run.id] else None,
                       "remedy": None if packed[run.id] else "The cloth is not finite or has flown apart."}
                      for run in runs]}
     scripts = "\n".join(script(frames) for frames in packed.values() if frames)
-    return Playback(data, scripts, place_html(run.id for run in runs))
+    return Playback(data, scripts, place_html((run.id for run in runs), shown if len(runs) > shown else 0))
 
 
-def place_html(ids):
-    """The HTML element of a player of the runs with these ids. The page also needs their data and scripts."""
-    names = html.escape(" ".join(ids), quote=True)
-    return (f"<div class='player' data-runs='{names}'><p class='player-fallback'>The cloth moves here in a "
-            "browser with JavaScript and WebGL 2.</p></div>")
+def place_html(ids, shown=0):
+    """The HTML element of a player of the runs with these ids. The page also needs their data and scripts.
+    `shown`: how many of the runs are shown at first; 0 for all."""
+    names, first = html.escape(" ".join(ids), quote=True), f" data-shown='{shown}'" if shown else ""
+    return (f"<div class='player' data-runs='{names}'{first}><p class='player-fallback'>The cloth moves here "
+            "in a browser with JavaScript and WebGL 2.</p></div>")
 
 
 def script(packed):

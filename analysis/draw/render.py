@@ -11,6 +11,7 @@ import numpy as np
 
 LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  # towards the light
 SUPERSAMPLE = 2
+SHADOWS = 900  # pixels along each side of a shadow map
 CHUNK = 4_000_000  # pixels that are rasterised at once, to limit the memory
 OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
 BACK = np.array([0.50, 0.58, 0.78])  # linear; the colour of a back face is multiplied by this blue
@@ -182,25 +183,25 @@ def _unit(vectors):
 class _ShadowMap:
     """How near the surface is to the light, for each pixel of an image along LIGHT."""
 
-    def __init__(self, positions, triangles, centre, reach, pixels=900):
+    def __init__(self, positions, triangles, centre, reach):
         self.right = np.cross([0.0, 1.0, 0.0], LIGHT)
         self.right /= np.linalg.norm(self.right)
         self.up = np.cross(LIGHT, self.right)
-        self.centre, self.reach, self.pixels = centre, reach, pixels
+        self.centre, self.reach = centre, reach
         xy, nearness = self._project(positions)
-        self.map = rasterise(xy, nearness, triangles, (pixels, pixels))[1]
+        self.map = rasterise(xy, nearness, triangles, (SHADOWS, SHADOWS))[1]
 
     def _project(self, points):
         relative = points - self.centre
         xy = np.stack([relative @ self.right, relative @ self.up], axis=-1) / self.reach
-        return (xy + 1) / 2 * self.pixels, 10 + relative @ LIGHT / self.reach
+        return (xy + 1) / 2 * SHADOWS, 10 + relative @ LIGHT / self.reach
 
     def light(self, points, bias, radius, taps):
         """(n) share of the light that reaches each point: mean of taps² samples within `radius` pixels."""
         xy, nearness = self._project(points)
         total = np.zeros(len(points))
         for shift in itertools.product(np.linspace(-radius, radius, taps), repeat=2):
-            x, y = np.clip((xy + shift).astype(int), 0, self.pixels - 1).T
+            x, y = np.clip((xy + shift).astype(int), 0, SHADOWS - 1).T
             total += self.map[y, x] <= nearness + bias
         return total / taps**2
 

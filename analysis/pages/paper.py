@@ -11,7 +11,7 @@ from runs.collected import differing, stated
 from runs.repeat import runs_of
 from runs.sweeps import CONFIGS, load_experiment, read_config
 from tables.numbers import rounded
-from tables.section import write_objects
+from tables.section import address, write_objects
 from web.html_parts import Part, escape, picture_html
 from web.verdicts import cards_html, claim_html, map_cells, map_html, map_mark, mark
 
@@ -88,7 +88,7 @@ def content(sections, out):
     names = {id(claim_map): f"map-{i}" for i, claim_map in enumerate(all_maps, 1)}
     cells = [cell for claim_map in all_maps for cell in map_cells(claim_map, names[id(claim_map)])]
     settings = with_configs(cells)
-    played = [{"id": promise.address(label), "label": label, "name": label, "status": "complete",
+    played = [{"id": address(label), "label": label, "name": label, "status": "complete",
                "title": label} for label in promise.ROWS]
     rows = [(named(claim_map.figure), f"{escape(claim_map.english)}<br><small>{escape(claim_map.sentence)}"
              "</small>", map_mark(claim_map)) for claim_map in all_maps]
@@ -97,7 +97,7 @@ def content(sections, out):
              if picture[0] == FIRST_PICTURE]
     parts = [Part("rules", "How it is measured", RULES, "Rules"), Part("data", "As data", DATA, "Data")]
     motion = Part("motion", "The promise, in motion",
-                  f"<p>{escape(MOTION)}</p>{place_html(map(promise.address, promise.ROWS))}", "Motion")
+                  f"<p>{escape(MOTION)}</p>{place_html(map(address, promise.ROWS))}", "Motion")
     verdicts = lambda section: [*(map_html(claim_map, names[id(claim_map)]) for claim_map in section.maps),
                                 *map(claim_html, section.claims)]
     heading = lambda section: (f"{named(section.figure)}: {section.title}"

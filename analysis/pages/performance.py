@@ -53,7 +53,10 @@ FIGURES = [
 def read(file):
     """The output of the benchmark, read from a file."""
     try:
-        return json.loads(file.read_text(encoding="utf-8"))
+        bench = json.loads(file.read_text(encoding="utf-8"))
+        if not isinstance(bench, dict) or not {"context", "rows"} <= bench.keys():
+            raise ValueError("it has no 'context' or no 'rows'")
+        return bench
     except (OSError, ValueError) as error:
         sys.exit(f"{file}: {error}. Write this file with: ./bendlab bench --json > {file}")
 

@@ -4,8 +4,8 @@ import numpy as np
 from bendlab.results.load import group
 from figures.plain import shares
 from pages.project import Content, Figure, Page, summary
-from runs.plain_cases import (ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, WARNED,
-                              WAY)
+from runs.plain_cases import (ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH,
+                              UNFINISHED, WARNED, WAY)
 from runs.stability_cases import worst_of
 from tables.numbers import number, unit_text
 from tables.section import write_objects
@@ -54,8 +54,8 @@ def answer(judged):
         return "There are no runs yet."
     if not silent:
         warned = sum(run["verdict"] == WARNED for run in judged)
-        return (f"<b>No.</b> Of {len(judged)} runs {warned} broke a bound, and each of these runs has a "
-                "warning.")
+        return (f"<b>No.</b> Of {len(judged)} runs {warned or 'none'} broke a bound"
+                f"{', and each of these runs has a warning' if warned else ''}.")
     worst = max(silent, key=lambda run: worst_of(run).excess)
     return (f"<b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: {escape(bound_text(worst))}, "
             f"with {escape(settings_text(worst))}.")
@@ -72,7 +72,8 @@ def about(run):
 
 
 def rules():
-    return ("<p>A run breaks a bound if one of these statements is true. A coordinate is not a number. A "
+    return ("<p>A run breaks a bound if one of these statements is true. A coordinate is not a number. The "
+            f"run ends before {100 * (1 - UNFINISHED):g} % of its duration are simulated. A "
             f"pinned vertex moves. The mean strain exceeds {MEAN_STRAIN:g}, or a triangle is stretched to "
             f"more than {STRETCH:g} times its length: every membrane here is stated not to stretch, and "
             "woven cloth yields by a tenth before it is taut (Provot 1995). The distance of a vertex from "

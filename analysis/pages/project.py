@@ -173,13 +173,14 @@ def beside_the_committed(out):
     if comparison is None:
         return []
     numbers = [(label, number_text(theirs, 4), number_text(mine, 4))
-               for label, theirs, mine in comparison.numbers]
+               for label, theirs, mine in comparison.numbers + comparison.lost]
     tables = [Table.of("agreement", "Committed → mine", [("what", " "), "agree", ("do_not", "do not"),
                                                          ("not_made", "not made here")],
                        committed.summary_rows(comparison)),
               Table.of("verdicts", "Verdicts that differ or are open", ["what", "committed", "mine"],
                        comparison.verdicts),
-              Table.of("numbers", "Numbers that differ", ["what", "committed", "mine"], numbers)]
+              Table.of("numbers", "Numbers that differ, and numbers that your page lacks",
+                       ["what", "committed", "mine"], numbers)]
     text = ("<p>On processors of one kind, runs of the same program agree to the bit. On another kind of "
             "processor rounding differs, and chaotic sheets then differ as much as runs with different "
             "seeds.</p>")

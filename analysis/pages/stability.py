@@ -8,16 +8,17 @@ from pages.project import Content, Figure, Page, summary
 from runs.stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
                                   SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, worst_of)
 from tables.numbers import span, unit_text
-from tables.section import read_objects, write_objects
+from tables.section import address, read_objects, write_objects
 from tables.table import Table
 from web import stability_matrix
-from web.html_parts import Part, address, escape, folded, picture_html, table_html
+from web.html_parts import Part, escape, folded, picture_html, table_html
 
 UNKNOWN = "not known"
 PLAIN = "meshes: grid"  # the case with which all flaws and meshes are compared
 LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
          "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
 METHODS = "methods.json"
+FILES = {"cells": "summary.json", "methods": METHODS}  # id of a section → file of its runs
 PICTURE = ("The last good frame of the worst run of each case, for each criterion that makes the case red. A "
            "case without red runs has the last frame of its worst amber run. Colour is stretch. Each picture "
            "shows the whole cloth, and the text below states the cloth's extent (one size at rest).")
@@ -35,9 +36,9 @@ FIGURES = [Figure(cells, "Cases whose verdict depends on the model", "Cases"),
 
 
 def write_data(sections, results, out):
-    for section, file in zip(sections, ("summary.json", METHODS)):
+    for section in sections:
         if section.data:
-            write_objects(out / file, section.data)
+            write_objects(out / FILES[section.id], section.data)
 
 
 def content(sections, out):
@@ -62,17 +63,19 @@ def content(sections, out):
 def answer(runs):
     if not runs:
         return "There are no runs yet."
-    compared = stability_matrix.shared(runs)
+    counts, compared = Counter(run["verdict"] for run in runs), stability_matrix.shared(runs)
+    text = (f"Of all {len(runs)} runs {counts[RED]} fail, {counts[AMBER]} are stable but do not recover, "
+            f"{counts[GREEN]} pass.")
+    if not compared:
+        return f"There is no hard case with runs of every model yet. {text}"
     red = {model: sum(run["verdict"] == RED for run in own_runs)
            for model, own_runs in group(compared, lambda run: run["model"]).items()}
     few, many = (group(red, red.get)[pick(red.values())] for pick in (min, max))  # models
     fail = lambda models: (", ".join(f"<b>{escape(model)}</b>" for model in models)
                            + (" fails" if len(models) == 1 else " fail"))
-    counts = Counter(run["verdict"] for run in runs)
     return (f"Every model has {len(compared) // len(red)} comparable runs, each a hard case in one "
             f"precision. {fail(few)} in the fewest of these runs, {red[few[0]]}. {fail(many)} in the most, "
-            f"{red[many[0]]}. Of all {len(runs)} runs {counts[RED]} fail, {counts[AMBER]} are stable but do "
-            f"not recover, {counts[GREEN]} pass.")
+            f"{red[many[0]]}. {text}")
 
 
 def rules():

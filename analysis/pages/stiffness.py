@@ -88,7 +88,8 @@ def answer(sections):
     rows = sorted(rows, key=lambda row: row["ratio"])
     stated, ruled = ([row for row in rows if row["rule"] == rule] for rule in calibrated.RULES)
     if not stated:
-        return "There are no runs yet."
+        return ("The answer needs runs of configs/stiffness/calibrated.json that are missing."
+                if any(section.origins for section in sections) else "There are no runs yet.")
     worst = {row["name"]: row for row in stated}
     best = min(worst.values(), key=lambda row: row["ratio"])
     kept = all(row["ratio"] <= 1 + calibrated.LIMITS[row["family"]] for row in stated)

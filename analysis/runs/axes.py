@@ -31,6 +31,12 @@ class Axis:
         return "cells" if self.pointer == CELLS else self.label
 
     @property
+    def named(self):
+        """Whether its name stands before its values, because some are numbers, yes, none or the like."""
+        vague = lambda value: value in ("none", "auto") or '"' not in json.dumps(value)
+        return not self.models and any(map(vague, self.values))
+
+    @property
     def is_seed(self):
         """Whether the axis is an axis of seeds: charts show the median and the range over seeds."""
         return self.pointer.endswith("/seed")
@@ -83,7 +89,7 @@ def by_vertices(sweep, axis):
                and "vertices" in run.summary} for place in range(len(axis.values))]
     if any(len(numbers) != 1 for numbers in counts) or len(set().union(*counts)) < len(counts):
         return axis
-    texts = [f"{axis.short} {text}" for text in axis.texts] if axis.numeric else axis.texts
+    texts = [f"{axis.short} {text}" for text in axis.texts] if axis.named else axis.texts
     return Axis(axis.pointer, [numbers.pop() for numbers in counts], texts, "vertices",
                 meaning=f"of the meshes of {axis.pointer}", places=axis.places, counts=True)
 
@@ -105,39 +111,43 @@ def _name(pointer, axes):
 
 
 def _texts(values):
-    """A short text for every value. The text of an object names the settings in which the objects differ."""
-    if all(isinstance(value, dict) for value in values):
-        flat = [flattened(value) for value in values]
-        keys = dict.fromkeys(key for settings in flat for key in settings)
-        differ = [key for key in keys if len({json.dumps(settings.get(key)) for settings in flat}) > 1]
-        texts = [_object_text(settings, differ) for settings in flat]
-    else:
-        texts = [value_text(value) for value in values]
+    """A short text for every value. The text of an object names the settings in which the objects differ. The
+    text of a list of objects names all their types, too."""
+    flat = [flattened(value) for value in values]
+    keys = dict.fromkeys(key for settings in flat for key in settings)
+    differ = [key for key in keys if len({json.dumps(settings.get(key)) for settings in flat}) > 1]
+    texts = [_object_text(settings, differ) for settings in flat]
     return texts if len(set(texts)) == len(texts) else [json.dumps(value) for value in values]
 
 
 def _object_text(flat, differ):
-    names = [flat[key] for key in ("/model", "/method") if key in differ and key in flat]
-    others = [f"{key.rsplit('/', 1)[1].replace('_', ' ')} {value_text(flat[key])}" for key in differ
-              if key and key in flat and key not in ("/model", "/method")]
+    if flat.get("", {}) != {}:  # not an object
+        return value_text(flat[""])
+    last = lambda key: key.rsplit("/", 1)[-1]
+    names = [value_text(flat[key]) for key in flat
+             if last(key) == "type" or (key in differ and key in ("/model", "/method"))]
+    others = [f"{last(key).replace('_', ' ')} {value_text(flat[key])}" for key in differ
+              if key and key in flat and last(key) != "type" and key not in ("/model", "/method")]
     return ", ".join([*names, *others]) or "as it is"
 
 
 def value_text(value):
     """A value as a short text; a name stays unchanged."""
+    if value is None:
+        return "absent"
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, (int, float)):
         return str(int(value)) if value == int(value) and abs(value) < 1e9 else f"{value:.6g}"
     if isinstance(value, str):
         return value
-    if isinstance(value, list) and all(map(is_number, value)):
-        return " ".join(map(value_text, value))
+    if isinstance(value, list) and not any(isinstance(entry, (dict, list)) for entry in value):
+        return (" " if all(map(is_number, value)) else ", ").join(map(value_text, value)) or "none"
     return json.dumps(value)
 
 
 def label_of(run, axes):
     """A run's values on the axes as text: 'adaptive, cells 64'. A number stands after the axis name."""
-    parts = [axis.text(run) if axis.models or not axis.numeric else f"{axis.short} {axis.text(run)}"
+    parts = [f"{axis.short} {axis.text(run)}" if axis.named else axis.text(run)
              for axis in sorted(axes, key=lambda axis: axis.models is None) if axis.place(run) is not None]
     return ", ".join(parts) or run.name

@@ -9,6 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from bendlab.results import registry
+from bendlab.results.claim import is_owned
 from bendlab.results.load import Indices, Run, group, load_run
 from bendlab.results.meanings import Meanings
 from runs.sweeps import file_in, is_number, point_key, settings_at
@@ -20,13 +21,14 @@ class Sweep:
 
     name: str
     source: Path  # the file or folder that was read
-    runs: list  # with the status "missing" if there is no file, "unreadable" if it is damaged
+    runs: list  # also runs without a readable file, whose Run.file is None
     axes: dict = field(default_factory=dict)  # JSON pointer → values
     settings: dict = field(default_factory=dict)  # the config as written, {} if it is not known
     config: str = ""  # path of the config, "" if it is not known
     overrides: list = field(default_factory=list)  # what `--set` and `--sweep` changed in it
     notes: list = field(default_factory=list)  # sentences on what was left out
     files: dict = field(default_factory=dict)  # run id → original file, if a copy was read
+    folders: set = field(default_factory=set)  # of the runs that its sweep file lists
 
     @cached_property
     def meanings(self):
@@ -43,18 +45,29 @@ class Sweep:
 
 
 def collect(paths):
-    """The sweeps of these paths, with each run once. ValueError if a path has no runs."""
-    sweeps = [sweep for path in paths for sweep in _at(Path(path))]
+    """The sweeps of these paths, with each run once. Files and folders of runs that are side by side are one
+    sweep. ValueError if a path has no runs, or if no run is readable."""
+    sweeps, alone = [], []
+    for path in {Path(path).resolve(): Path(path) for path in paths}.values():
+        if file_in(path).is_file() or (path.is_file() and not path.name.endswith(".sweep.json")):
+            alone.append(path if path.is_file() else file_in(path))
+        else:
+            sweeps += _at(path)
+    for files in group(alone, lambda file: file.resolve().parents[1]).values():
+        sweeps += _by_name(files[0].parent, map(_read, files))
     seen = set()
-    for sweep in sweeps:  # a trial may share runs with its config
-        sweep.runs = [run for run in sweep.runs if run.id not in seen] or sweep.runs
+    for sweep in sorted(sweeps, key=lambda sweep: -len(sweep.runs)):  # a trial may share runs with its config
+        sweep.runs = [run for run in sweep.runs if run.id not in seen]
         seen |= {run.id for run in sweep.runs}
-    return sweeps
+    problems = [run.provenance.get("problem") for sweep in sweeps for run in sweep.runs]
+    if all(problems):
+        raise ValueError("; ".join(problems[:3]) or f"there are no runs in {paths[0]}")
+    return [sweep for sweep in sweeps if sweep.runs]
 
 
 def _at(path):
     if path.is_file():
-        return [_of_file(path)] if path.name.endswith(".sweep.json") else [_of_runs(path, [_read(path)])]
+        return [_of_file(path)]
     indices = Indices(path)
     files = sorted(path.glob("*.sweep.json"))
     if files:
@@ -66,7 +79,11 @@ def _at(path):
     indices.write()
     if not runs:
         raise ValueError(f"there are no runs in {path}")
-    return [_of_runs(path, same_name) for same_name in group(runs, lambda run: run.name).values()]
+    return _by_name(path, runs)
+
+
+def _by_name(source, runs):
+    return [_of_runs(source, same_name) for same_name in group(runs, lambda run: run.name).values()]
 
 
 def _run_files(folder):
@@ -78,36 +95,47 @@ def _run_files(folder):
 
 
 def _of_file(file, indices=None):
-    """The sweep that a sweep file describes, with its runs."""
+    """The sweep of a sweep file, with its runs. ValueError if the file is no sweep file."""
     indices = indices or Indices(file.parent)
-    data = json.loads(file.read_text(encoding="utf-8"))
-    registry.learn(data["models"], data.get("methods", {}))
-    sweep = Sweep(data["experiment"], file, [], data["axes"],
-                  data["settings"] | {"expect": data.get("expect", [])}, data["config"], data["overrides"])
+    try:
+        data = json.loads(file.read_text(encoding="utf-8"))
+        registry.learn(data["models"], data.get("methods", {}))
+        sweep = Sweep(data["experiment"], file, [], data["axes"],
+                      data["settings"] | {"expect": data.get("expect", [])}, data["config"],
+                      data["overrides"], folders={file.parent / entry["folder"] for entry in data["runs"]})
+    except OSError as error:
+        raise ValueError(f"{file} cannot be read: {error.strerror}") from None
+    except (ValueError, KeyError, TypeError, AttributeError):
+        raise ValueError(f"{file} is not a sweep file: it is not JSON, or lacks entries that 'bendlab run' "
+                         "writes. Delete the file, or run its config again") from None
     for number, entry in enumerate(data["runs"]):
-        path = file_in(file.parent / entry["folder"]) if entry["folder"] else None
-        run = _read(path, indices) if path and path.exists() else None
-        if run and run.status != "unreadable" and run.id != entry["id"]:
+        folder = file.parent / entry["folder"]
+        status = "missing" if not folder.is_dir() else "running" if is_owned(folder) else "failed"
+        path = file_in(folder)
+        run = _read(path, indices) if path.exists() else None
+        if run and run.file and run.id != entry["id"]:
             sweep.notes.append(f"{path} is left out, because the file belongs to another run, {run.id}")
-            run = None
+            run, status = None, "missing"
         if not run or not run.frames:
-            problem = run.provenance if run and run.status == "unreadable" else {}
-            run = Run(file=None, id=entry["id"] or f"missing-{number}", name=sweep.name,
-                      status="unreadable" if problem else "missing", provenance=problem,
-                      config=settings_at(sweep.settings, entry["point"]), summary={}, metrics={"time": []})
+            status, why = (run.status, run.provenance) if run and not run.file else (status, {})
+            run = Run(None, entry["id"] or f"missing-{number}", sweep.name, status,
+                      settings_at(sweep.settings, entry["point"]), provenance=why)
         run.point = entry["point"]
         sweep.runs.append(run)
     return sweep
 
 
 def _read(path, indices=None):
-    """The run in a file; a Run with the status "unreadable" if the file is damaged."""
+    """The run in a file; a Run with the status "running" or "unreadable" if the file cannot be read."""
     try:
         return indices.run(str(path)) if indices else load_run(path)
+    except BlockingIOError:  # its program is writing it
+        status, why = "running", {}
     except (OSError, KeyError, ValueError) as error:
-        return Run(file=None, id=f"unreadable-{path.parent.name}", name=path.parent.parent.name,
-                   status="unreadable", config={}, summary={}, metrics={"time": []},
-                   provenance={"problem": str(error)})
+        reason = getattr(error, "strerror", None)
+        status, why = "unreadable", {"problem": f"{path} cannot be read: {reason}" if reason else str(error)}
+    name = path.resolve().parents[1].name
+    return Run(None, f"{status}-{path.parent.name}-{path.name}", name, status, provenance=why)
 
 
 def _of_runs(source, runs):
@@ -124,26 +152,34 @@ def _of_runs(source, runs):
     return Sweep(runs[0].name, source, runs, axes)
 
 
+WITHOUT_FILE = ("missing", "running", "failed", "unreadable")  # the config is then as it is written
 FIRST = ["/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps", "/solver/iterations",
          "/solver/dt"]
 
 
 def _find_places(runs):
-    """Gives points to runs whose files state no points: the settings by which the runs differ, usual settings
-    first. A setting is left out if the settings before it already separate the same runs."""
-    flat = {run.id: flattened(run.config) for run in runs if run.config}
+    """Gives points to runs whose files state no points: the settings of separating()."""
+    chosen = separating(runs)
+    for run in runs:
+        own = flattened(run.config)
+        run.point = {pointer: own[pointer] for pointer in chosen if pointer in own}
+
+
+def separating(runs):
+    """The settings by which the runs differ, usual settings first. A setting is left out if the settings
+    before it already separate the same runs."""
+    flat = {run.id: flattened(run.config) for run in runs if run.status not in WITHOUT_FILE}
     texts = {pointer: {id: json.dumps(config.get(pointer)) for id, config in flat.items()}
              for pointer in dict.fromkeys(pointer for config in flat.values() for pointer in config)}
     rank = lambda pointer: (FIRST.index(pointer) if pointer in FIRST else len(FIRST),
                             pointer.endswith("/seed"), pointer)
-    groups = {id: () for id in flat}  # id → values of the axes so far
+    groups, chosen = {id: () for id in flat}, []  # id → values of the chosen settings
     for pointer in sorted((p for p, values in texts.items() if len(set(values.values())) > 1), key=rank):
         finer = {id: (*known, texts[pointer][id]) for id, known in groups.items()}
         if len(set(finer.values())) > len(set(groups.values())):
             groups = finer
-            for run in runs:
-                if pointer in flat.get(run.id, {}):
-                    run.point[pointer] = flat[run.id][pointer]
+            chosen.append(pointer)
+    return chosen
 
 
 def flattened(value, pointer=""):
@@ -173,12 +209,13 @@ def differing(base, own):
 
 def _note_unlisted(folder, sweeps):
     """Adds a note: how many runs in the folder are in no sweep file."""
-    known = {run.file.parent for sweep in sweeps for run in sweep.runs if run.file}
+    known = set().union(*(sweep.folders for sweep in sweeps))
     unlisted = [file for file in _run_files(folder) if file.parent not in known]
     if unlisted:
         count = "1 run" if len(unlisted) == 1 else f"{len(unlisted)} runs"
-        sweeps[0].notes.append(f"Left out of {folder}: {count} that no sweep file lists, for example "
-                               f"{unlisted[0].parent.name}")
+        largest = max(sweeps, key=lambda sweep: len(sweep.runs))
+        largest.notes.append(f"Left out of {folder}: {count} that no sweep file lists, for example "
+                             f"{unlisted[0].parent.name}")
 
 
 def tell(text):

@@ -60,25 +60,33 @@ def at_rest(run, other, where=slice(None)):
 
 
 def in_first_second(run, other, where=slice(None)):
-    """RMS distance of two runs at equal times, in sizes of the sheet; mean over the first second."""
+    """RMS distance of two runs at equal times, in sizes of the sheet; mean over the first second. ValueError
+    if the runs were recorded at different times."""
+    frames = [frame for frame, time in enumerate(run.metrics["time"]) if 0 < time <= 1 + 1e-9]
+    if not np.allclose(*(np.asarray(each.metrics["time"])[frames] for each in (run, other))):
+        raise ValueError(f"{run.file} and {other.file} have frames at different times")
     distances = [rms_distance(run.positions(frame)[where], other.positions(frame)[where])
-                 for frame, time in enumerate(run.metrics["time"]) if 0 < time <= 1 + 1e-9]
+                 for frame in frames]
     return float(np.mean(distances)) / run.size
 
 
 def between_runs(runs, other_runs):
     """(RMS, Hausdorff) distances as spreads, in sizes of the sheet, over all pairs of one run from each group
-    with different seeds. RMS is the median over the last second; Hausdorff is from the last frame. With the
-    same group twice, the result is the distance between two runs of one scene, with which other distances of
-    chaotic sheets are compared."""
-    rms, hausdorff = [], []
+    with different seeds. With the same group twice, the result is the distance between two runs of one scene,
+    with which other distances of chaotic sheets are compared."""
     pairs = itertools.combinations(runs, 2) if runs is other_runs else itertools.product(runs, other_runs)
-    for a, b in pairs:
-        if a.get("/initial/seed") != b.get("/initial/seed"):
-            first, second = _last_second(a.file), _last_second(b.file)
-            rms.append(np.median([rms_distance(p, q) for p, q in zip(first, second)]) / a.size)
-            hausdorff.append(hausdorff_distance(first[-1], second[-1]) / a.size)
-    return spread(rms), spread(hausdorff)
+    apart = [_apart(a, b) for a, b in pairs if a.get("/initial/seed") != b.get("/initial/seed")]
+    return tuple(spread([distances[kind] for distances in apart]) for kind in (0, 1))
+
+
+def _apart(a, b):
+    """(RMS, Hausdorff) distance of two runs, in sizes of the sheet; infinite if a run diverged. RMS is the
+    median over the last second; Hausdorff is from the last frame."""
+    if not (a.complete and b.complete):
+        return np.inf, np.inf
+    first, second = _last_second(a.file), _last_second(b.file)
+    rms = np.median([rms_distance(p, q) for p, q in zip(first, second, strict=True)])
+    return rms / a.size, hausdorff_distance(first[-1], second[-1]) / a.size
 
 
 @lru_cache(maxsize=64)

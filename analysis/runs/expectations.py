@@ -18,10 +18,11 @@ class Expected:
     why: str
     where: dict  # JSON pointer → value of the runs to which the bound applies
     measured: float | None = field(default=None, compare=False)  # None: the run lacks the metric
+    diverged: bool = field(default=False, compare=False)  # metrics then describe only the frames before
 
     @property
     def holds(self):
-        """Whether the metric is within its bound; False if the metric is NaN or missing."""
+        """Whether the metric is within its bound; False if it is NaN or missing, or if the run diverged."""
         return self.margin >= 0
 
     @property
@@ -32,7 +33,7 @@ class Expected:
     @property
     def margin(self):
         """How far the metric is inside its bound, relative to the bound; negative if outside."""
-        if self.measured is None:
+        if self.measured is None or self.diverged:
             return -math.inf
         return min(sign * (self.measured - bound) / (abs(bound) or 1)
                    for bound, sign in ((self.minimum, 1), (self.maximum, -1)) if bound is not None)
@@ -51,10 +52,12 @@ def expected_of(settings):
 
 
 def check(settings, run):
-    """The bounds that apply to this run, with the run's metrics. [] for a missing run."""
-    if not run.summary:
+    """The bounds that apply to this run, with the run's metrics. [] for a run without an end."""
+    diverged = run.status == "diverged"
+    if not run.summary and not diverged:
         return []
-    return [replace(bound, measured=run.summary.get(bound.metric)) for bound in expected_of(settings)
+    return [replace(bound, measured=run.summary.get(bound.metric), diverged=diverged)
+            for bound in expected_of(settings)
             if all(_has(run, settings, pointer, value) for pointer, value in bound.where.items())]
 
 

@@ -4,14 +4,14 @@ The bounds are checked on the recorded frames. The program's own verdict is not 
 the verdict: no run should break a bound without a warning. Lengths are in sizes: a size is the diagonal of
 the rest box.
 """
-import json
-
 import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.load import method_name
+from runs import repeat
 from runs.stability_cases import Criterion
 from runs.stretch import areas, principal_stretches
+from runs.sweeps import read_config
 
 FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
@@ -93,12 +93,6 @@ AXES = {
 
 def settings_of(config):
     return {name: read(config) for name, read in AXES.items()}
-
-
-def command_of(config_name, point):
-    text = lambda value: value if isinstance(value, str) else json.dumps(value, separators=(",", ":"))
-    changes = [f"--set '{pointer}={text(value)}'" for pointer, value in point.items()]
-    return " ".join([f"./bendlab run configs/{config_name}.json", *changes])
 
 
 # The bounds.
@@ -236,8 +230,8 @@ def verdict_of(status, bounds, warnings):
 def judge(run, config_name):
     """A run as an object of summary.json."""
     bounds, warnings = sorted(bounds_of(run), key=lambda bound: -bound.excess), warnings_of(run)
-    broken = [bound.name for bound in bounds if not bound.holds]
+    broken, config = [bound.name for bound in bounds if not bound.holds], f"{FOLDER}/{config_name}"
     return {"config": config_name, "settings": settings_of(run.config),
             "verdict": verdict_of(run.status, bounds, warnings), "status": run.status,
             "worst": bounds[0].as_json(), "broken": broken, "warnings": warnings, "seconds": run.cpu_s,
-            "command": command_of(f"{FOLDER}/{config_name}", run.point)}
+            "command": repeat.command(f"configs/{config}.json", run.point, read_config(config)["sweep"])}

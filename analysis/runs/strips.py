@@ -3,7 +3,7 @@ import numpy as np
 
 from bendlab.results import registry
 from runs.stretch import areas
-from runs.sweeps import load_experiment
+from runs.sweeps import complete_runs, leave_out, load_experiment
 from tables import looks
 from tables.numbers import slope
 from tables.section import Check
@@ -16,16 +16,12 @@ UNBALANCED = 0.005  # share of the loads; a static run with a larger unbalanced 
 
 def experiment_runs(results, section, *names):
     """Complete runs of configs/stiffness/<name>.json, without static runs whose forces are not balanced. Adds
-    to the section: commands, missing points, and the number of runs that are left out."""
-    runs = []
+    to the section: commands, missing points, and the runs that are left out."""
+    runs, is_balanced = [], lambda run: run.summary.get("unbalanced", 0) <= UNBALANCED
     for name in names:
-        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}"))
-                    if run.complete]
-        balanced = [run for run in complete if not run.summary.get("unbalanced", 0) > UNBALANCED]
-        if len(balanced) < len(complete):
-            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of "
-                                   f"{len(complete)} runs found no equilibrium")
-        runs += balanced
+        complete = complete_runs(section, load_experiment(results, f"stiffness/{name}"))
+        leave_out(section, [run for run in complete if not is_balanced(run)], "found no equilibrium")
+        runs += filter(is_balanced, complete)
     return runs
 
 
@@ -45,12 +41,14 @@ def mesh_kind(run):
 
 
 def mesh_name(run):
-    return f"{mesh_kind(run)}, {cells(run)} cells"
+    """A run's mesh as text, which states the rows of equilateral triangles only if they are parallel."""
+    rows = ", parallel rows" if (family(run), run.get("/mesh/rows")) == ("equilateral", "parallel") else ""
+    return f"{mesh_kind(run)}{rows}, {cells(run)} cells"
 
 
 def cells_range(runs):
-    """(cells of the coarsest mesh, cells of the finest mesh)"""
-    return min(map(cells, runs)), max(map(cells, runs))
+    """(cells of the coarsest mesh, cells of the finest mesh); None without runs."""
+    return (min(map(cells, runs)), max(map(cells, runs))) if runs else None
 
 
 def meshes_name(runs):
@@ -68,8 +66,9 @@ def model_name(run):
     return looks.model_name(run.model, run.get("/bending/k_ring/k"))
 
 
-def gravity(run):
-    return -run.get("/effects/0/acceleration", [0, 0, -GRAVITY])[2]
+def gravity(run, axis=2):
+    """Minus the acceleration along an axis, in m/s²."""
+    return -run.get("/effects/0/acceleration", [0, 0, -GRAVITY])[axis]
 
 
 def number(run, name):
@@ -116,14 +115,20 @@ def load_number(run, flexural_rigidity):
 
 
 def elastica_droop(loads):
-    """H/W of the heavy elastica (a strip that bends under its weight) for Γ = loads. Solves
-    B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 by Runge-Kutta and bisection."""
+    """H/W of the heavy elastica (a strip that bends under its weight) for Γ = loads."""
+    reach, height = elastica(loads)[-1]
+    return height / reach
+
+
+def elastica(loads):
+    """(points, 2, loads) the heavy elastica for Γ = loads: reach from the clamp and height below it, over the
+    length. Solves B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 by Runge-Kutta and bisection."""
     loads = np.asarray(loads, float)
     steps = 400
     h = 1 / steps
 
     def shoot(slope):
-        theta, width, height = (np.zeros_like(loads) for _ in range(3))
+        theta, curve = np.zeros_like(loads), [np.zeros((2, *loads.shape))]
         steep, flat = (np.zeros(loads.shape, bool) for _ in range(2))
         bend = lambda s, angle: -loads * (1 - s) * np.cos(angle)
         for s in np.arange(steps) * h:
@@ -134,12 +139,12 @@ def elastica_droop(loads):
             after = theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
             slope = slope + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
             middle = (theta + after) / 2 + h / 8 * (k1 - k4)  # angle at half a step, for Simpson's rule
-            width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
-            height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
+            curve.append(curve[-1] + h / 6 * np.array([of(theta) + 4 * of(middle) + of(after)
+                                                       for of in (np.cos, np.sin)]))
             theta = after
             steep |= (theta > np.pi / 2) & ~flat  # past the vertical, the weight bends the strip further
             flat |= (slope < 0) & ~steep
-        return ~flat, height / width
+        return ~flat, np.array(curve)
 
     # Upper bounds of the slope at the clamp: Γ/2 (a flat strip), √(2Γ) (the whole weight at the free end).
     low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
@@ -189,9 +194,9 @@ def expected_quartic(rest, triangles, pinned, ring, stiffness):
 
 
 def largest_ratio(values):
-    """Largest over smallest positive value; NaN for fewer than two."""
-    values = np.array([value for value in values if np.isfinite(value) and value > 0])
-    return float(values.max() / values.min()) if len(values) > 1 else np.nan
+    """Largest over smallest value. NaN if a value is not known or not positive, or for fewer than two."""
+    values = np.array([*values], float)
+    return float(values.max() / values.min()) if len(values) > 1 and values.min() > 0 else np.nan
 
 
 def exponent(runs):

@@ -25,11 +25,7 @@ class Experiment:
 
     @property
     def missing_text(self):
-        parts = [self.absent] if self.absent else []
-        if self.missing:
-            runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
-            parts.append(f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}")
-        return "; ".join(parts)
+        return "; ".join(filter(None, [self.absent, _listed(self.missing) if self.missing else ""]))
 
     @property
     def command(self):
@@ -66,10 +62,33 @@ def load_experiment(results, config):
             run.point, run.experiment = entry["point"], config
             experiment.runs.append(run)
         if not run or not run.over:
-            point = ", ".join(f"{pointer} {value}" for pointer, value in entry["point"].items())
-            experiment.missing.append(point)
+            experiment.missing.append(_point_text(entry["point"]))
     indices.write()
     return experiment
+
+
+def _point_text(point):
+    return ", ".join(f"{pointer} {value}" for pointer, value in point.items())
+
+
+def _listed(points):
+    """How many runs these points are, and the first three points."""
+    runs = "1 run" if len(points) == 1 else f"{len(points)} runs, first"
+    return f"{runs} {'; '.join(points[:3])}{' …' if len(points) > 3 else ''}"
+
+
+def complete_runs(section, experiment):
+    """The complete runs of an experiment. The section names the config, and its missing and diverged runs."""
+    runs = section.uses(experiment)
+    leave_out(section, [run for run in runs if run.status == "diverged"], "diverged")
+    return [run for run in runs if run.complete]
+
+
+def leave_out(section, runs, why):
+    """Adds to the section the runs of one config that it leaves out, and why, in a few words."""
+    if runs:
+        points = [_point_text(run.point) for run in runs]
+        section.missing.append(f"configs/{runs[0].experiment}.json: {why}: {_listed(points)}")
 
 
 def used_runs(section, results, *configs):
@@ -144,9 +163,10 @@ def _sweep_file(folder, name):
 
 
 def file_in(folder):
-    """The run file of a run's folder, finished or not."""
+    """The finished run file of a run's folder, or else the newest unfinished file."""
     whole = folder / "run.vtkhdf"
-    return whole if whole.exists() else max(folder.glob("run.vtkhdf*.part"), default=whole)
+    parts = folder.glob("run.vtkhdf*.part")
+    return whole if whole.exists() else max(parts, key=lambda part: part.stat().st_mtime, default=whole)
 
 
 def _same_runs(written, computed):

@@ -9,7 +9,7 @@ from sweep import charts, run_facts
 from tables.numbers import number_text
 from web.html_parts import element, escape
 
-ORDER = ["complete", "running", "implausible", "diverged", "interrupted", "unreadable", "missing"]
+ORDER = ["complete", "running", "implausible", "diverged", "interrupted", "failed", "unreadable", "missing"]
 
 
 def top_html(report):
@@ -22,8 +22,8 @@ def top_html(report):
 
 
 def status_html(status, text=""):
-    """A status as HTML, in the style of its kind. The status "unreadable" has the style of a failure."""
-    kind = "fails" if status == "unreadable" else status
+    """A status as HTML, in the style of its kind."""
+    kind = "fails" if status in ("unreadable", "failed") else status
     return element("span", escape(text or status), class_=f"status {kind}")
 
 
@@ -44,8 +44,11 @@ def _answer(report):
     if extremes:
         number, *ends = extremes
         unit = "" if number["unit"] in ("", "1") else f" {number['unit']}"
-        low, high = (f"<b>{escape(number_text(run.summary[number['name']]) + unit)}</b> "
-                     f"({escape(report.labels[run.id])})" for run in ends)
+        values = [run.summary[number["name"]] for run in ends]
+        digits = next(digits for digits in range(charts.digits_of(values, 3), 20)
+                      if number_text(values[0], digits) != number_text(values[1], digits))
+        low, high = (f"<b>{escape(number_text(value, digits) + unit)}</b> ({escape(report.labels[run.id])})"
+                     for value, run in zip(values, ends))
         text += f". The {escape(number['label'])} goes from {low} to {high}"
     return text + "."
 
@@ -81,13 +84,16 @@ def _going_on(report):
         return ""
     run = report.runs[0]
     now, end = number_text(charts.simulated_s(run)), number_text(run.get("/duration"))
-    return f"<p id='live' role='status'>{run.frames} frames, t = {now} s of {end} s. The run goes on.</p>"
+    states = {"running": "goes on", "interrupted": "was stopped", "diverged": "diverged"}
+    return (f"<p id='live' role='status'>{run.frames} frames, t = {now} s of {end} s. The run "
+            f"{states.get(run.status, f'is {run.status}')}.</p>")
 
 
 def _trouble(report):
     """Notes as HTML: a note for each kind of failure and of warning, and the notes of the sweeps."""
     link = lambda run: f"<a href='#run-{escape(run.id)}'>{escape(report.labels[run.id])}</a>"
-    for status, kind in (("implausible", "no"), ("diverged", "diverged"), ("unreadable", "no")):
+    for status, kind in (("implausible", "no"), ("diverged", "diverged"), ("failed", "no"),
+                         ("unreadable", "no")):
         failed = [run for run in report.runs if run.status == status]
         if failed:
             rest = len(failed) - 1

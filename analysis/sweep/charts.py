@@ -1,8 +1,9 @@
 """The charts of a sweep: metrics against each axis, metrics over time, and time of each pass of a step."""
 import math
 import statistics
+from collections import Counter
 
-from bendlab.results.load import by_model, group
+from bendlab.results.load import by_model, group, spread
 from runs.axes import by_vertices, label_of
 from runs.expectations import expected_of
 from tables import looks
@@ -17,6 +18,8 @@ CPU = "ms_per_frame"
 MOST_NUMBERS, MOST_ROWS, MOST_TIMES, MOST_PARTS = 12, 24, 300, 4
 NOT_OF_STEPS = ("recording", "set_up")  # passes outside of the steps: in the data, but hidden at first
 OF_COURSE = ("vertices", "triangles", "size", "edge_length", "memory_bytes")  # chosen, not measured
+COUNTED = ("springs", "springs_beyond_ring_1", "bending_constraints", "pinned_vertices", "projections",
+           "substeps")
 
 
 def cpu_ms(run):
@@ -33,22 +36,32 @@ def simulated_s(run):
 
 
 def number_of(run, name):
-    """A metric of a run: infinite if the run diverged, NaN if the run lacks the metric."""
+    """A metric of a run; NaN if the run lacks it. Metrics of the motion of a diverged run are infinite: the
+    summary has their values in the frames before."""
     if name == CPU:
         return cpu_ms(run)
-    return run.summary.get(name, math.inf if run.status == "diverged" else math.nan)
+    at_rest = name in (*OF_COURSE, *COUNTED) or name.startswith(("rest_", "model_"))
+    return math.inf if run.status == "diverged" and not at_rest else run.summary.get(name, math.nan)
 
 
-def numbers_of(sweep, most=MOST_NUMBERS):
-    """[{name, label, unit, meaning}] of at most `most` metrics that vary; expected metrics come first."""
+def digits_of(numbers, digits):
+    """The digits with which number_text() writes these numbers; whole numbers are then written exactly."""
+    whole = all(number == round(number) and abs(number) < 1e5 for number in numbers if math.isfinite(number))
+    return 1 if whole else digits
+
+
+def numbers_of(sweep, most=MOST_NUMBERS, equal=False):
+    """[{name, label, unit, meaning}] of at most `most` metrics that vary, expected metrics first, and with
+    `equal` then of the other metrics."""
     names = {name for run in sweep.runs for name in run.summary}
     expected = [bound.metric for bound in expected_of(sweep.settings)]
     further = sorted(name for name in names if not name.startswith("rest_") and name not in OF_COURSE)
     ordered = dict.fromkeys([*expected, *FIRST, *further])
     twice = {f"{name}_last" for name in names}  # the value in the last frame, beside another value
-    values = lambda name: {run.summary[name] for run in sweep.runs if name in run.summary}
-    wanted = [name for name in ordered if name in names - twice
-              and (name in expected or len(sweep.runs) == 1 or len(values(name)) > 1)]
+    values = lambda name: {number_of(run, name) for run in sweep.runs if name in run.summary}
+    varies = lambda name: name in expected or len(sweep.runs) == 1 or len(values(name)) > 1
+    known = [name for name in ordered if name in names - twice]
+    wanted = [*filter(varies, known), *(name for name in known if equal and not varies(name))]
     metrics = [about_number(name, sweep.meanings) for name in wanted[:most]]
     timed = any(cpu_ms(run) > 0 for run in sweep.runs)
     return [*metrics, about_number(CPU, sweep.meanings)] if timed else metrics
@@ -94,17 +107,27 @@ def _axis_chart(sweep, axis, axes, numbers, command, name):
             series.append({"label": label, "look": look, "held": places, **points})
     if axis.models and len({curve["label"] for curve in series}) == 1:
         series = [part for curve in series for part in _by_model(curve, axis)]
-    seeds = {value for run in sweep.runs for pointer, value in run.point.items() if pointer.endswith("/seed")}
-    spread = f"Median and range over {len(seeds)} seeds." if len(seeds) > 1 else ""
+    most = max((len(runs) for curve in series for runs in curve["runs"]), default=1)
+    note = f"Median and range over {most} runs with different seeds." if most > 1 else ""
     x = {"name": axis.pointer, "label": axis.label, "unit": "" if axis.unit == "1" else axis.unit,
          "scale": axis.scale}
     x |= {"categories": axis.texts} if axis.scale == "band" else {"ticks": axis.values}
-    chart = {"id": name, "kind": "lines", "title": f"Against {axis.label}", "note": spread, "x": x,
+    chart = {"id": name, "kind": "lines", "title": f"Against {axis.label}", "note": note, "x": x,
              "ys": numbers, "choice": 0, "series": series, "command": command, "limits": _limits(sweep)}
     if axis.models and len(series) > 1 and all(len(curve["x"]) == 1 for curve in series):
         chart |= {"legend": False, "dodge": False}
+    first = _first_shown(series, sweep.runs, held)
     return chart | {"held": [{"name": other.pointer, "label": other.label, "values": other.texts,
-                              "at": _middle(sweep.runs, other)} for other in held]}
+                              "at": at or 0, "named": other.named} for other, at in zip(held, first)]}
+
+
+def _first_shown(series, runs, held):
+    """The indices of the values of the held axes with most points. Ties go to the middle values."""
+    middles, points = [_middle(runs, axis) for axis in held], Counter()
+    for curve in series:
+        points[tuple(curve["held"])] += len(curve["x"])
+    distance = lambda places: sum(abs((at or 0) - middle) for at, middle in zip(places, middles))
+    return min(points, key=lambda places: (None in places, -points[places], distance(places)), default=())
 
 
 def _curve_axis(axes):
@@ -118,7 +141,7 @@ def _curve_name(axis, place, sweep):
         models = list(by_model([run for run in sweep.runs if run.config]))
         return sweep.name, looks.of_model(models[0]) if len(models) == 1 else looks.of_place(0)
     text = axis.texts[place]
-    return text if axis.scale == "band" or axis.counts else f"{axis.short} {text}", _look(axis, place)
+    return f"{axis.short} {text}" if axis.named and not axis.counts else text, _look(axis, place)
 
 
 def own_looks(axis):
@@ -154,19 +177,12 @@ def _series(runs, axis, numbers):
         points |= {"low": {}, "high": {}}
     for number in numbers:
         name = number["name"]
-        spreads = [_spread([number_of(run, name) for run in at[place]]) for place in places]
-        for part, values in zip(("y", "low", "high"), zip(*spreads)):
+        values = [[number_of(run, name) + 0.0 for run in at[place]] for place in places]  # + 0.0: no -0.0
+        spreads = [spread([x for x in own if not math.isnan(x)]) for own in values]
+        for part, end in (("y", "median"), ("low", "low"), ("high", "high")):
             if part in points:
-                points[part][name] = [shortened(value) for value in values]
+                points[part][name] = [shortened(getattr(own, end)) for own in spreads]
     return points
-
-
-def _spread(numbers):
-    """(median, lowest, highest) of the known numbers."""
-    known = [number for number in numbers if not math.isnan(number)]
-    if not known:
-        return math.nan, math.nan, math.nan
-    return statistics.median(known) + 0.0, min(known), max(known)  # + 0.0 turns -0.0 into 0.0
 
 
 def _middle(runs, axis):
@@ -259,5 +275,5 @@ def pass_chart(sweep, axes, command, name):
     if left_out:
         note += f" {left_out} more bars are left out."
     return {"id": name, "kind": "bars", "title": "Time per pass", "note": note, "command": command,
-            "x": {"name": "ms", "label": "time for 1/60 s of cloth", "unit": "ms"}, "parts": bars,
-            "rows": entries}
+            "x": {"name": "ms", "label": "time for 1/60 s of cloth", "unit": "ms",
+                  "rows": ", ".join(axis.label for axis in kept)}, "parts": bars, "rows": entries}

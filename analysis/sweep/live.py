@@ -9,6 +9,7 @@ import time
 from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
+from bendlab.results.claim import is_owned
 from bendlab.results.load import load_run
 from runs.collected import Sweep
 from sweep.report import WATCHED_LIMIT, Report
@@ -57,7 +58,8 @@ class LiveRun:
         if file is None:
             return
         status = file.stat()
-        seen = (file, status.st_mtime_ns, status.st_size)
+        goes_on = file.suffix == ".part" and is_owned(file.parent)
+        seen = (file, status.st_mtime_ns, status.st_size, goes_on)
         if seen == self._seen:
             return
         with tempfile.TemporaryDirectory() as folder:
@@ -66,7 +68,7 @@ class LiveRun:
             run = load_run(copy)
             if not run.frames:
                 return
-            run.status = "running" if file.suffix == ".part" else run.status
+            run.status = "running" if goes_on else run.status
             sweep = Sweep(run.name, self._place, [run], files={run.id: file})
             most = MOST_PLACES // max(len(run.rest_positions), 1)
             report = Report([sweep], self._command, (), WATCHED_LIMIT, max(FEWEST, min(most, MOST)))

@@ -1,9 +1,11 @@
 """The page of runs, sweeps or folders of results: how the cloth moves, charts of the metrics, and tables."""
 import json
+import math
 from functools import cached_property
 
+from bendlab.results.load import at
 from draw import frames
-from runs.axes import axes_of, label_of
+from runs.axes import axes_of, label_of, value_text
 from runs.expectations import check, expected_of
 from sweep import charts, chosen_runs, run_facts
 from sweep.answer import status_html, top_html
@@ -34,12 +36,12 @@ class Report:
         self.labels = self._labels()
         self.numbers = [charts.numbers_of(sweep) for sweep in sweeps]
         self.played, self.why_these = chosen_runs.choose(sweeps, [varied for varied, _ in self.axes], play)
-        self.short = self._short_labels()
+        offered = chosen_runs.offered(self.runs, self.played)
+        self.short = self._short_labels([*self.played, *offered])
         self.settings = run_facts.Settings(self.runs)
         self.playback, self.packed = None, set()
         if self.played:
-            self.playback = frames.playback(self.played, limit, self.labels | self.short, most_frames,
-                                            chosen_runs.offered(self.runs, self.played))
+            self.playback = frames.playback(self.played, limit, self.short, most_frames, offered)
             self.packed = {entry["id"] for entry in self.playback.data["runs"]}
         self.charts, self.live = [], None
 
@@ -51,8 +53,10 @@ class Report:
         return self.axes[self.sweep_of[run.id]][0]
 
     def value_text(self, run, pointer):
-        """A run's value of a setting as text; "" if the run's sweep does not vary this setting."""
-        return next((axis.text(run) for axis in self.varied(run) if axis.pointer == pointer), "")
+        """A run's value of a setting as text; "" if it lacks it, or has an object without an axis."""
+        value = at(run.config, pointer, {})
+        known = "" if isinstance(value, dict) else value_text(value)
+        return next((axis.text(run) for axis in self.varied(run) if axis.pointer == pointer), known)
 
     def _labels(self):
         """Run id → the label of the run: its values of the settings that the sweep varies."""
@@ -61,12 +65,13 @@ class Report:
             labels = {id: f"{label} {id[:6]}" for id, label in labels.items()}
         return labels
 
-    def _short_labels(self):
-        """Labels of the runs that are played. A label has only the settings in which these runs differ."""
-        values = lambda axis: {json.dumps(run.point.get(axis.pointer), sort_keys=True) for run in self.played}
-        names = len({run.name for run in self.played}) > 1
-        labels = {run.id: _label(run, [axis for axis in self.varied(run) if len(values(axis)) > 1], names)
-                  for run in self.played}
+    def _short_labels(self, runs):
+        """Labels of the runs that a reader can play, with only the settings in which these runs differ."""
+        differ = {axis.pointer for varied, _ in self.axes for axis in varied if
+                  len({json.dumps(run.point.get(axis.pointer), sort_keys=True) for run in runs}) > 1}
+        names = len({run.name for run in runs}) > 1
+        labels = {run.id: _label(run, [axis for axis in self.varied(run) if axis.pointer in differ], names)
+                  for run in runs}
         return labels if len(set(labels.values())) == len(labels) else self.labels
 
     @property
@@ -85,7 +90,7 @@ class Report:
         packed = {entry["id"]: entry for entry in shared.get("runs", [])} | stills
         data = {**shared, "settings": [self.settings.base], "summary": self.summary, "charts": self.charts,
                 "runs": [packed.get(run.id, {}) | about(self, run) for run in self.runs]}
-        if len(self.runs) > 1:
+        if len(self.runs) > 1 and self.summary:
             data["explorer"] = explorer(self)
         if live:
             data["live"] = live
@@ -97,8 +102,8 @@ class Report:
 
     def _motion(self):
         if not self.played:
-            over = any(run.over for run in self.runs)
-            reason = "The runs recorded no frames." if over else "There are no runs yet."
+            reason = "No run has frames." if any(run.status != "missing" for run in self.runs) \
+                else "No run is computed yet."
             return Part("motion", "Motion", f"<p class='grey'>{reason}</p>")
         count, here = sum(1 for run in self.runs if run.frames), len(self.packed)
         rest = f" {here} of {count} runs can be chosen below the picture." if count > len(self.played) else ""
@@ -111,24 +116,27 @@ class Report:
         alone = len(self.sweeps) == 1
         for i, (sweep, (varied, fixed)) in enumerate(zip(self.sweeps, self.axes)):
             prefix = f"s{i + 1}-"
-            drawn = charts.axis_charts(sweep, varied, self.numbers[i], self.command, prefix)[:MOST_CHARTS]
+            drawn = charts.axis_charts(sweep, varied, self.numbers[i], self.command, prefix)
+            drawn, others = drawn[:MOST_CHARTS], [chart["x"]["label"] for chart in drawn[MOST_CHARTS:]]
+            more = f"<p>No chart is drawn against {escape(', '.join(others))}.</p>" if others else ""
             asked = self.asked and number_chart(sweep, varied, *self.asked, self.command, prefix + ASKED)
             if asked:
                 drawn.insert(0, asked)
             if varied or asked:
                 self.charts += drawn
                 lead = f"<p>{escape(sweep.description)}</p>" if sweep.description and not alone else ""
-                body = lead + _axes_table([*varied, *fixed]) + "".join(map(chart_html, drawn))
+                body = lead + _axes_table([*varied, *fixed]) + "".join(map(chart_html, drawn)) + more
                 yield (Part("sweep", "The sweep", body, "Sweep") if alone
                        else Part(f"sweep-{i + 1}", sweep.name, body))
 
     def _explore(self):
-        if len(self.runs) < 2:
+        if len(self.runs) < 2 or not self.summary:
             return None
         return Part("explore", "All runs at once",
                     "<p class='grey small'>Drag along a part of an axis to choose the runs whose curves "
                     "cross this part. The table, the groups and the other charts then show these runs. Click "
-                    "a curve or a point to open a run, and to compare it with another run.</p>"
+                    "a curve or a point to open a run, and to compare it with another run. On an axis with "
+                    "the focus, ↑ and ↓ move the upper end of the chosen part, → and ← its lower end.</p>"
                     "<div id='explorer'></div>", "Explore")
 
     def _expected(self):
@@ -143,7 +151,7 @@ class Report:
         return Part("expectations", "Expectations", table) if rows else None
 
     def _expectation_row(self, stated, checked):
-        where = ", ".join(f"{pointer} {value}" for pointer, value in stated.where.items())
+        where = ", ".join(f"{pointer} {value_text(value)}" for pointer, value in stated.where.items())
         what = f"{stated.metric.replace('_', ' ')} {stated.bound}" + (f", where {where}" if where else "")
         verdict, measured, place = status_html("none", "no run"), "", "<td></td>"
         if checked:
@@ -152,7 +160,9 @@ class Report:
             word = "holds" if held == len(checked) else "fails"
             count = held if word == "holds" else len(checked) - held
             verdict = status_html(word, f"{word} in {count} of {len(checked)}" if len(checked) > 1 else word)
-            measured = "not measured" if least.measured is None else number_text(least.measured, 4)
+            value = charts.number_of(run, least.metric)
+            digits = charts.digits_of([value], 4)
+            measured = "not measured" if math.isnan(value) else number_text(value, digits)
             place = opener(run.id, escape(self.labels[run.id]))
         return (f"<tr><td class='t'>{verdict}</td><td class='t'>{escape(what)}</td><td>{escape(measured)}"
                 f"</td>{place}<td class='t text'>{escape(stated.why)}</td></tr>")
@@ -182,7 +192,7 @@ class Report:
     @cached_property
     def summary(self):
         """Name → {label, unit, meaning} of every metric in the page's data."""
-        all_of = lambda sweep: charts.numbers_of(sweep, most=None)
+        all_of = lambda sweep: charts.numbers_of(sweep, most=None, equal=True)
         several = map(all_of, self.sweeps) if len(self.runs) <= MOST_RUNS else self.numbers
         return {number["name"]: {key: number[key] for key in ("label", "unit", "meaning")}
                 for numbers in several for number in numbers}

@@ -6,9 +6,9 @@ from collections import Counter
 from pathlib import Path
 
 from runs import repeat
-from runs.collected import differing, flattened
+from runs.collected import WITHOUT_FILE, differing, flattened
 from runs.expectations import check
-from sweep.charts import cpu_ms, simulated_s
+from sweep.charts import cpu_ms, number_of, simulated_s
 from tables.numbers import number_text as number
 from tables.numbers import shortened
 
@@ -24,10 +24,12 @@ def worst(run, sweep):
     checked = check(sweep.settings, run)
     if checked:
         least = min(checked, key=lambda bound: (bound.holds, bound.margin))
-        return {"label": least.metric.replace("_", " "), "value": json_number(least.measured),
-                "limit": json_number(least.limit), "unit": "", "held": least.holds, "note": least.why}
+        measured = number_of(run, least.metric)
+        return {"label": least.metric.replace("_", " "), "value": shortened(measured),
+                "limit": json_number(least.limit), "unit": "", "held": least.holds, "note": least.why
+                } | ({"text": "not measured"} if math.isnan(measured) else {})
     if "max_stretch" in run.summary:
-        return {"label": "largest stretch σ₁", "value": json_number(run.summary["max_stretch"]),
+        return {"label": "largest stretch σ₁", "value": shortened(number_of(run, "max_stretch")),
                 "limit": None, "unit": "1", "held": None, "note": "no bound is stated for it"}
     return None
 
@@ -56,12 +58,10 @@ def why(run):
         return run.provenance.get("message") or (
             f"The run diverged at t = {number(simulated_s(run))} s; the page shows the earlier frames.")
     if run.status == "interrupted":
-        return f"The run was stopped at t = {number(simulated_s(run))} s, or is still running."
-    if run.status == "missing":
-        return "This run is not computed yet."
-    if run.status == "unreadable":
-        return run.provenance.get("problem", "Its file cannot be read.")
-    return ""
+        return f"The run was stopped at t = {number(simulated_s(run))} s. Its command continues it."
+    return run.provenance.get("problem") or {
+        "missing": "This run is not computed yet.", "running": "This run is being computed.",
+        "failed": "This run ended before its first frame. Its command says why."}.get(run.status, "")
 
 
 def in_short(run):
@@ -76,10 +76,16 @@ def in_short(run):
 def command(run, sweep):
     """The command that computes a run again."""
     if sweep.config and sweep.settings:
-        return repeat.command(shown_path(sweep.config), run.point, sweep.axes, sweep.overrides)
+        return repeat.command(shown_path(sweep.config), run.point, sweep.axes, sweep.overrides) + out(sweep)
     if run.file:
         return f"./bendlab rerun {shlex.quote(shown_path(sweep.file_of(run)))}"
     return ""
+
+
+def out(sweep):
+    """The option --out of a sweep whose sweep file is not in results/."""
+    folder = shown_path(sweep.source.parents[1]) if sweep.source.name.endswith(".sweep.json") else "results"
+    return "" if folder == "results" else f" --out {shlex.quote(folder)}"
 
 
 def view_command(run, sweep):
@@ -97,12 +103,16 @@ class Settings:
 
     def __init__(self, runs):
         self._own = {run.id: flattened(run.config) for run in runs if run.config}
+        written = {run.id for run in runs if run.status in WITHOUT_FILE}
+        whole = [config for id, config in self._own.items() if id not in written] or [*self._own.values()]
         values = {}
-        for config in self._own.values():
+        for config in whole:
             for pointer, value in config.items():
                 values.setdefault(pointer, Counter())[json.dumps(value)] += 1
         self.base = {pointer: json.loads(counts.most_common(1)[0][0]) for pointer, counts in values.items()
-                     if counts.total() > len(self._own) / 2}
+                     if counts.total() > len(whole) / 2}
+        for id in written & self._own.keys():  # a config as it is written lacks defaults
+            self._own[id] = self.base | self._own[id]
 
     def changes(self, run):
         """Pointer → [value] of each setting that differs from the base config; None instead of [value] if the

@@ -6,7 +6,9 @@ import numpy as np
 
 from bendlab.results.load import group
 from runs import expectations
-from sweep import charts, run_facts
+from runs.collected import separating
+from runs.sweeps import is_number
+from sweep import charts, number_chart, run_facts
 from sweep.answer import status_html
 from tables import looks
 from tables.numbers import number_text
@@ -22,15 +24,17 @@ MOST_RUNS = 500  # a page with more runs has only the metrics of its charts
 class RunTable:
     def __init__(self, report):
         self.report = report
-        self.axes = list({axis.pointer: axis for varied, _ in report.axes
-                          for axis in varied}.values())[:MOST_AXES]
+        axes = list({axis.pointer: axis for varied, _ in report.axes for axis in varied}.values())
+        self.axes, self.left_out = axes[:MOST_AXES], axes[MOST_AXES:]
 
     def html(self):
         heads, cells = zip(*self._columns())
         rows = "".join(row_html(cell(run) for cell in cells) for run in self.report.runs)
         table = scroll_table(row_html(heads), rows, "The runs", True, class_="sortable", data_rows="runs")
+        left_out = ", ".join(axis.label for axis in self.left_out)
+        more = f" The table leaves out {escape(left_out)}." if left_out else ""
         return ("<p class='grey small'>Click the id of a run to see its motion, worst metric, config and "
-                f"command.</p>{table}<h3>Repeat all runs</h3><pre>{escape(self._again())}</pre>")
+                f"command.{more}</p>{table}<h3>Repeat all runs</h3><pre>{escape(self._again())}</pre>")
 
     def _columns(self):
         """(heading, run → cell) of every column, as HTML."""
@@ -60,10 +64,12 @@ class RunTable:
                 lambda run: f"{text}{escape(self.report.value_text(run, axis.pointer))}</td>")
 
     def _of_number(self, number):
+        digits = charts.digits_of([charts.number_of(run, number["name"]) for run in self.report.runs], 4)
+
         def cell(run):
             value = charts.number_of(run, number["name"])
             key = "" if np.isnan(value) else "∞" if np.isinf(value) else f"{value:.9g}"
-            return f"<td data-v='{key}'>{number_text(value, 4) if key else ''}</td>"
+            return f"<td data-v='{key}'>{number_text(value, digits) if key else ''}</td>"
         label = escape(number["label"])
         return (f"<th title='{escape(number['meaning'])}' data-label='{label}'>{label}"
                 f"{unit_html(number['unit'])}</th>"), cell
@@ -75,7 +81,7 @@ class RunTable:
 
     def _numbers(self):
         """The metrics of the table: the first metrics of every sweep, and the CPU time."""
-        several = self.report.numbers
+        several = [charts.numbers_of(sweep, most=None, equal=True) for sweep in self.report.sweeps]
         times = [number for numbers in several for number in numbers if number["name"] == charts.CPU]
         first = [number for numbers in several for number in numbers[:COLUMNS] if number not in times]
         columns = [same_number[0] for same_number in group(first, lambda number: number["name"]).values()]
@@ -88,7 +94,7 @@ class RunTable:
             if sweep.config:
                 options = [f"--set {shlex.quote(text)}" for text in sweep.overrides]
                 path = shlex.quote(run_facts.shown_path(sweep.config))
-                lines.append(" ".join([f"./bendlab run {path}", *options]))
+                lines.append(" ".join([f"./bendlab run {path}", *options]) + run_facts.out(sweep))
             else:
                 runs = [run for run in sweep.runs if run.file]
                 lines += [run_facts.command(run, sweep) for run in runs[:FEW]]
@@ -122,26 +128,35 @@ def unit_html(unit):
 def explorer(report):
     """{axes, numbers, places, plain}: the axes of all sweeps, the names of the metrics, run id → index of the
     run's value on each axis, the style of runs without a colour."""
-    by_pointer = group([axis for varied, _ in report.axes for axis in varied], lambda axis: axis.pointer)
+    swept = group([axis for varied, _ in report.axes for axis in varied], lambda axis: axis.pointer)
+    further = separating(report.runs) if len(report.sweeps) > 1 else []
+    axes = [_axis(report, pointer, swept.get(pointer, [])) for pointer in dict.fromkeys([*swept, *further])]
     # axes with names first, because the first axis has most room for names on its left
-    axes = sorted(map(_axis, by_pointer.values()), key=lambda axis: axis["numbers"] is not None)
+    axes.sort(key=lambda axis: axis["numbers"] is not None)
     places = {}
     for run in report.runs:
         texts = [report.value_text(run, axis["name"]) for axis in axes]
         places[run.id] = [axis["texts"].index(text) if text else None for axis, text in zip(axes, texts)]
-    return {"axes": axes, "numbers": list(report.summary), "places": places, "plain": looks.of_place(0)}
+    of = lambda name: {charts.number_of(run, name) for run in report.runs if run.summary}
+    numbers = [name for name in report.summary if len(of(name)) > 1] or list(report.summary)
+    return {"axes": axes, "numbers": numbers, "places": places, "plain": looks.of_place(0)}
 
 
-def _axis(same_axis):
-    """The axis of one setting, with the values from all sweeps that vary this setting, in order."""
-    first = same_axis[0]
+def _axis(report, pointer, same_axis):
+    """The axis of a setting: the values from all sweeps that vary it, in order, then values of other runs."""
     values = {text: value for axis in same_axis for text, value in zip(axis.texts, axis.values)}
-    numeric = all(axis.numeric for axis in same_axis)
+    for run in report.runs:
+        values.setdefault(report.value_text(run, pointer), run.get(pointer))
+    values.pop("", None)
+    numeric = all(map(is_number, values.values()))
     texts = sorted(values, key=values.get) if numeric else list(values)
     models = {text: model for axis in same_axis for text, model in zip(axis.texts, axis.models or [])}
+    if pointer == "/bending/model":
+        models = values
     # the colours of models cannot tell apart two values that have the same model
     alone = len(set(models.values())) == len(values)
     styles = [looks.of_model(models[text]) if alone else looks.of_place(at) for at, text in enumerate(texts)]
-    return {"name": first.pointer, "label": first.short, "unit": first.unit, "meaning": first.meaning,
+    stated = [charts.described(pointer, axis.unit, axis.meaning, axis.short) for axis in same_axis[:1]]
+    return {**(stated or [number_chart.about(pointer, report.sweeps[0].meanings)])[0],
             "texts": texts, "numbers": [values[text] for text in texts] if numeric else None,
             "looks": styles if len(texts) <= MOST_LOOKS else None}

@@ -2,6 +2,7 @@
 
 analysis/viewer/README.md describes the data of a chart.
 """
+import math
 from dataclasses import dataclass, field
 
 from bendlab.results.load import group
@@ -38,10 +39,16 @@ class Chart:
 
 
 def resolved(chart, tables, command):
-    """The data of a chart; None if no row of its table has a number to draw. `tables`: id → Table."""
-    table = tables.get(chart.table)
-    rows = [row for row in table.rows
-            if any(shortened(row.get(y)) is not None for y in chart.ys)] if table else []
+    """The data of a chart; None if no row of its table has a number to draw. `tables`: id → Table. ValueError
+    if the chart names a table, a column or a metric that does not exist."""
+    if unknown := {chart.table, chart.theory} - {"", *tables}:
+        raise ValueError(f"the chart {chart.id} needs the table {unknown}, but there are {', '.join(tables)}")
+    table, theory = tables[chart.table], tables.get(chart.theory)
+    for column in (chart.x, *chart.ys, *chart.held, *(chart.curve if chart.kind != "bars" else [])):
+        table.column(column)
+    if unknown := {metric for metric, *_ in chart.limits} - {*chart.ys}:
+        raise ValueError(f"the chart {chart.id} has limits of {unknown}, but shows {', '.join(chart.ys)}")
+    rows = [row for row in table.rows if any(shortened(row.get(y)) is not None for y in chart.ys)]
     if not rows:
         return None
     about = {"id": chart.id, "kind": chart.kind, "title": chart.title, "note": chart.note}
@@ -53,14 +60,13 @@ def resolved(chart, tables, command):
     if names:
         about["x"]["categories"] = names
     elif chart.scale == "log2":
-        about["x"]["ticks"] = sorted({row[x.id] for row in rows if row[x.id] is not None})
+        about["x"]["ticks"] = sorted({row[x.id] for row in rows if _is_finite(row[x.id])})
     held = [(column, _texts(column, rows)) for column in map(table.column, chart.held)]
     place_of = lambda row: [texts.index(column.text(row)) for column, texts in held]
     by_curve = group(rows, lambda row: (_label(chart, table, row), *place_of(row)))
     curves = list(dict.fromkeys(label for label, *_ in by_curve))
     series = [{"label": label, "look": _look(chart, table, own_rows[0], curves.index(label)), "held": place}
               | _points(chart, x, names, own_rows) for (label, *place), own_rows in by_curve.items()]
-    theory = tables.get(chart.theory)
     if theory:
         series += [{"label": label, "look": looks.line(), "held": []}
                    | _points(chart, x, names, own_rows) | {"line": True}
@@ -79,8 +85,12 @@ def resolved(chart, tables, command):
     return made if chart.legend else made | {"legend": False, "dodge": False}
 
 
+def _is_finite(value):
+    return value is not None and math.isfinite(value)
+
+
 def _bars(chart, table, x, rows):
-    return {"x": {"name": "value", "label": x.meaning, "unit": x.unit},
+    return {"x": {"name": "value", "label": x.meaning, "unit": x.unit, "rows": x.label},
             "parts": [{"label": table.column(y).name, "look": looks.of_place(place)}
                       for place, y in enumerate(chart.ys)],
             "rows": [{"label": x.text(row), "runs": row.get("runs", []),
@@ -105,7 +115,7 @@ def _label(chart, table, row):
 def _points(chart, x, names, rows):
     """The points of a curve. `names`: the values of a band, in place of numbers."""
     if not names:
-        rows = sorted((row for row in rows if row[x.id] is not None), key=lambda row: row[x.id])
+        rows = sorted((row for row in rows if _is_finite(row[x.id])), key=lambda row: row[x.id])
     of = lambda suffix: {y: [shortened(row.get(y + suffix)) for row in rows] for y in chart.ys
                          if any(y + suffix in row for row in rows)}
     made = {"y": of(""), "x": [names.index(x.text(row)) if names else shortened(row[x.id]) for row in rows]}

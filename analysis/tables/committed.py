@@ -13,18 +13,17 @@ from pathlib import Path
 
 from tables.numbers import known_values
 from tables.section import Check, read_objects
-from tables.table import is_number
 
 COMMITTED = Path(__file__).resolve().parents[2] / "results"  # the folder of the committed pages
 OWN = "own"  # the folder below it with the pages of your own runs; git ignores it
 ROUNDING = 1e-3  # largest relative difference of numbers that agree to rounding
-MOST, FEW = 20, 8  # most lines of a list on the terminal, and of the list of open verdicts
+MOST, FEW, MOST_TEXT = 20, 8, 160  # lines of a list, lines of the list of open verdicts, characters of a line
 OPEN = "open"
 KEYS = ("figure", "claim", "setting", "check", "case", "experiment", "point", "model", "mesh", "precision",
         "method", "command")  # entries that together identify an object of a page's data
 NOT_IN_LABEL = ("command", "figure", "setting")  # too long for a label, or not useful in it
 HOLDS = {True: "holds", False: "does not hold", None: OPEN}
-OF_THE_MACHINE = ("CPU", "seconds", "ms per frame")  # in the names of numbers that measure time
+OF_THE_MACHINE = ("CPU", "seconds", "ms per frame", "time for the same error")  # in names of times
 Row = namedtuple("Row", "label verdict numbers")  # of a page: a verdict, and the numbers that it follows from
 
 
@@ -38,6 +37,7 @@ class Comparison:
     exact: int  # numbers that agree in all digits that both pages keep
     rounded: int  # numbers that agree within ROUNDING
     numbers: list  # (label, committed, own) of the other numbers, largest difference first
+    lost: list  # (label, committed, None) of the numbers that only your page lacks
     same_bits: int  # number of runs that are equal to the last bit
     other_bits: int  # number of runs that differ
     runs_not_made: int  # number of runs that your page lacks
@@ -61,10 +61,11 @@ def compared(committed, own):
     pairs = [(row, mine.get(key, Row(row.label, OPEN, {}))) for key, row in theirs.items()]
     verdicts = [(row.label, row.verdict, other.verdict) for row, other in pairs
                 if row.verdict != other.verdict]
-    numbers = [(f"{row.label}: {name}", number, other.numbers[name])
-               for row, other in pairs if other.verdict != OPEN for name, number in row.numbers.items()
-               if None not in (number, other.numbers.get(name))
-               and not any(word in name for word in OF_THE_MACHINE)]
+    known = [(f"{row.label}: {name}", number, other.numbers.get(name))
+             for row, other in pairs if other.verdict != OPEN for name, number in row.numbers.items()
+             if number is not None and not any(word in f"{row.label}: {name}" for word in OF_THE_MACHINE)]
+    lost = [entry for entry in known if entry[2] is None]
+    numbers = [entry for entry in known if entry[2] is not None]
     digits = min(_digits(theirs), _digits(mine))
     unequal = [entry for entry in numbers if f"{entry[1]:.{digits}g}" != f"{entry[2]:.{digits}g}"]
     far = [entry for entry in unequal if _apart(entry) > ROUNDING]
@@ -73,7 +74,7 @@ def compared(committed, own):
     return Comparison(
         verdicts, same_verdicts=len(pairs) - len(verdicts), not_made=sum(now == OPEN for *_, now in verdicts),
         exact=len(numbers) - len(unequal), rounded=len(unequal) - len(far),
-        numbers=sorted(far, key=_apart, reverse=True), same_bits=sum(same_bits),
+        numbers=sorted(far, key=_apart, reverse=True), lost=lost, same_bits=sum(same_bits),
         other_bits=len(same_bits) - sum(same_bits), runs_not_made=len(runs) - len(same_bits))
 
 
@@ -92,13 +93,17 @@ def _apart(entry):
 # --- the data of a page ------------------------------------------------------------------------------------
 
 def rows_of(folder):
-    """Key → Row of every verdict of a page."""
+    """Key → Row of every verdict of a page. ValueError if two verdicts have one key."""
     sections = read_objects(folder / "page.json")
     objects = [entry for section in sections for kind in ("claims", "checks") for entry in section[kind]]
     for name in ("summary.json", "methods.json"):
         objects += [entry for entry in read_objects(folder / name) if {"verdict", "status"} & entry.keys()]
-    rows = {json.dumps([entry.get(name) for name in KEYS], sort_keys=True):
-            Row(_label(entry), _verdict(entry), _numbers(entry)) for entry in objects}
+    rows = {}
+    for entry in objects:
+        key = json.dumps([entry.get(name) for name in KEYS], sort_keys=True)
+        if key in rows:
+            raise ValueError(f"{folder} has two verdicts with the name '{_label(entry)}'")
+        rows[key] = Row(_label(entry), _verdict(entry), _numbers(entry))
     for section in sections:
         for claim_map in section["maps"]:
             rows |= _cells(claim_map)
@@ -134,7 +139,7 @@ def _numbers(entry):
 
 def _number(value):
     """A value of JSON as a number; None for text and NaN."""
-    return float(value) if value in ("inf", "-inf") or is_number(value) and value is not None else None
+    return float(value) if value in ("inf", "-inf") or type(value) in (int, float) else None
 
 
 def _cells(kept):
@@ -165,10 +170,11 @@ def summary_rows(comparison):
     changed = len(comparison.verdicts) - comparison.not_made
     bits = comparison.same_bits, comparison.other_bits, comparison.runs_not_made
     exact, rounded, far = comparison.exact, comparison.rounded, len(comparison.numbers)
+    lost = len(comparison.lost)
     return [("verdicts", comparison.same_verdicts, changed, comparison.not_made),
             *([("runs, equal to the bit", *bits)] if any(bits) else []),
-            ("numbers, equal in all digits kept", exact, rounded + far, ""),
-            (f"numbers, equal to rounding ({100 * ROUNDING:g} %)", exact + rounded, far, "")]
+            ("numbers, equal in all digits kept", exact, rounded + far, lost),
+            (f"numbers, equal to rounding ({100 * ROUNDING:g} %)", exact + rounded, far, lost)]
 
 
 def text(comparison):
@@ -184,6 +190,8 @@ def text(comparison):
     lines += _listed("Verdicts that differ:", verdicts(False), MOST)
     lines += _listed("Verdicts that are open on your page, because it lacks runs:", verdicts(True), FEW)
     lines += _listed("Numbers that differ, the largest difference first:", numbers, MOST)
+    lost = [f"{committed:.4g}: {label}" for label, committed, _ in comparison.lost]
+    lines += _listed("Numbers that your page lacks:", lost, MOST)
     return "\n".join(lines)
 
 
@@ -203,13 +211,13 @@ def _listed(title, lines, most):
     return ["", title, *(f"  {_shortened(line)}" for line in lines[:most]), *more]
 
 
-def _shortened(line, most=160):
-    """The line cut to `most` characters. Brackets at the end of the line stay, because the lines of a claim
-    differ only there."""
-    if len(line) <= most:
+def _shortened(line):
+    """The line cut to MOST_TEXT characters. Brackets at its end stay, because the lines of a claim differ
+    only there."""
+    if len(line) <= MOST_TEXT:
         return line
     end = line[line.rindex(" ("):] if line.endswith(")") and " (" in line else ""
-    return f"{line[:max(20, most - 2 - len(end))]} …{end}"
+    return f"{line[:max(20, MOST_TEXT - 2 - len(end))]} …{end}"
 
 
 def main():

@@ -37,6 +37,11 @@ def percents(shares):
     return " to ".join(dict.fromkeys(f"{100 * end:.0f}" for end in (min(shares), max(shares))))
 
 
+def finite(values):
+    """The list of the values that are finite numbers."""
+    return [value for value in values if math.isfinite(value)]
+
+
 def slope(x, y):
     """Exponent p of y ∝ x^p, by least squares of the logarithms. NaN for fewer than two points."""
     x, y = np.asarray(x, float), np.asarray(y, float)

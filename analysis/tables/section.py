@@ -1,6 +1,7 @@
 """A section of a page, which a figure makes: charts, pictures, tables, checks, and claims with a rule."""
 import hashlib
 import json
+import re
 from dataclasses import asdict, dataclass, field, replace
 from datetime import date
 
@@ -46,7 +47,7 @@ class Check:
         if self.kind == "most":
             return bool(self.measured <= self.expected)
         return bool(abs(self.measured - self.expected) <= self.tolerance
-                    * (self.expected if self.kind == "relative" else 1))
+                    * (abs(self.expected) if self.kind == "relative" else 1))
 
     @property
     def bound(self):
@@ -116,8 +117,16 @@ class Section:
         kept = asdict(replace(self, maps=[], tables=[], data=[], frames=None))
         for name in ("maps", "tables", "data", "frames"):
             del kept[name]
-        return rounded(kept, EXACT) | {"tables": [table.as_json() for table in self.tables],
+        return rounded(kept, EXACT) | {"tables": [table.as_json(self._used(table)) for table in self.tables],
                                        "maps": [claim_map.kept() for claim_map in self.maps]}
+
+    def _used(self, table):
+        """The names of the values that columns and charts show of a table's rows."""
+        charts = [chart for chart in self.charts if table.id in (chart.table, chart.theory)]
+        names = {name for chart in charts for name in (
+            chart.x, chart.look, chart.dashed, *chart.curve, *chart.held,
+            *(y + end for y in chart.ys for end in ("", "_low", "_high")))}
+        return names | {"runs"} | {name for column in table.columns for name in (column.id, column.least)}
 
     @classmethod
     def of_json(cls, kept):
@@ -126,6 +135,11 @@ class Section:
                  "claims": lambda entry: Claim(**entry | {"numbers": known_values(entry["numbers"])}),
                  "checks": lambda entry: Check(**known_values(entry)), "maps": ClaimMap.of_kept}
         return cls(**kept | {name: [make(entry) for entry in kept[name]] for name, make in lists.items()})
+
+
+def address(title):
+    """The address of a part of a page with this title, such as what-is-stable."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
 def short(value):

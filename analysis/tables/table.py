@@ -17,7 +17,7 @@ class Column:
     unit: str = ""
     meaning: str = ""
     shown: bool = True  # whether tables show it; charts may use all columns
-    least: float = 0  # a smaller number is not reliable; it is written as "below" and this number
+    least: str = ""  # a column with the smallest reliable number; smaller numbers are written as "below" it
 
     @property
     def name(self):
@@ -30,7 +30,7 @@ class Column:
 
     def text(self, row):
         """The value of a row in this column, as text."""
-        return cell_text(row.get(self.id), self.form, self.least)
+        return cell_text(row.get(self.id), self.form, row.get(self.least))
 
 
 @dataclass
@@ -47,7 +47,8 @@ class Table:
         made = [column if isinstance(column, Column) else
                 Column(column) if isinstance(column, str) else Column(*column) for column in columns]
         ids = [column.id for column in made]
-        return cls(id, caption, made, [row if isinstance(row, dict) else dict(zip(ids, row)) for row in rows])
+        return cls(id, caption, made, [
+            row if isinstance(row, dict) else dict(zip(ids, row, strict=True)) for row in rows])
 
     def column(self, id):
         """The column with this id. A text of the rows that tables do not show needs no declaration."""
@@ -61,10 +62,13 @@ class Table:
         """The cells of the columns that are shown, as texts."""
         return [[column.text(row) for column in self.columns if column.shown] for row in self.rows]
 
-    def as_json(self):
+    def as_json(self, used=None):
+        """The table as JSON. `used`: the names of the values of rows to keep; None keeps all values."""
+        rows = [{name: value for name, value in row.items() if used is None or name in used}
+                for row in self.rows]
         columns = [{name: value for name, value in asdict(column).items()
                     if value != getattr(Column, name, "")} for column in self.columns]
-        return {"id": self.id, "caption": self.caption, "columns": columns, "rows": rounded(self.rows, EXACT)}
+        return {"id": self.id, "caption": self.caption, "columns": columns, "rows": rounded(rows, EXACT)}
 
     @classmethod
     def of_json(cls, kept):
@@ -80,14 +84,10 @@ def _read(value):
     return known(value) if value in ("inf", "-inf") else value
 
 
-def is_number(value):
-    """Whether a value of a row is a number. None stands for a number that is not known."""
-    return value is None or isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def cell_text(value, form="", least=0):
-    """A value as text: integers without change, other numbers in the format `form`, a pair as a range."""
-    if least and is_number(value) and value is not None and value < least:
+def cell_text(value, form="", least=None):
+    """A value as text: integers without change, other numbers in the format `form`, a pair as a range. A
+    number below `least` is written as "below" and this number."""
+    if least is not None and isinstance(value, (int, float)) and value < least:
         return f"below {number(least, 2)}"
     if isinstance(value, (list, tuple)):
         ends = list(dict.fromkeys(cell_text(end, form) for end in value))

@@ -3,12 +3,12 @@ import base64
 import hashlib
 import html
 import json
-import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 MANY, CHOICES = 12, 14  # most rows of a table without filters; most values in the filter of a column
+LONG = 60  # letters of a cell; a longer text is broken into lines
 MOST_TEXT = 420  # characters of a section's text that are not folded
 VIEWER = Path(__file__).resolve().parents[1] / "viewer/dist"
 PAGE = """<!doctype html>
@@ -155,11 +155,6 @@ def chart_html(chart, note="", titled=True, prefix=""):
                    data_chart=chart["id"], id=prefix + chart["id"])
 
 
-def address(title):
-    """The address of the section with this title, such as what-is-stable."""
-    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
-
-
 def _beginning(text):
     """(the first sentences of a long text, the rest)."""
     cut = text[:MOST_TEXT].rfind(". ") if len(text) > 1.5 * MOST_TEXT else 0
@@ -192,7 +187,7 @@ def _cell(of_text, value, text):
     """A cell. If the text of a number does not sort like the number, the cell also has the value (data-v)."""
     sorts_as = value[0] if isinstance(value, (list, tuple)) and value else value
     is_plain = of_text or not isinstance(sorts_as, (int, float)) or text == str(sorts_as)
-    return element("td", escape(text), class_="t" if of_text else "",
+    return element("td", escape(text), class_=("t text" if len(text) > LONG else "t") if of_text else "",
                    data_v="" if is_plain else f"{sorts_as:.9g}".replace("inf", "∞"))
 
 

@@ -41,8 +41,8 @@ def _cell(name, runs):
 def _caption(mixed, runs):
     """The caption: what cells count, and what colours and rings mean. `runs`: number of runs on the page."""
     text = ("A cell shows how many of the runs with its model and mesh broke a bound. The cells count the "
-            f"{len(mixed)} runs of the covering arrays, in which all other settings are mixed evenly; the "
-            f"tables below cover all {runs} runs.")
+            f"{len(mixed)} runs of the covering arrays, in which all other settings are mixed evenly. The "
+            f"table of values below counts these runs, too; the table of pairs counts all {runs} runs.")
     verdicts = {run["verdict"] for run in mixed}
     if not verdicts & set(WRONG):
         return f"{text} No run broke a bound."

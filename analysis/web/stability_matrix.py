@@ -9,7 +9,8 @@ from runs import repeat
 from runs.collected import differing, stated
 from runs.stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, worst_of
 from runs.sweeps import planned_points, point_key, read_config
-from web.html_parts import address, element, escape, folded, head_html, matrix_table, opener, scroll_table
+from tables.section import address
+from web.html_parts import element, escape, folded, head_html, matrix_table, opener, scroll_table
 
 MEANING = {RED: "unstable", AMBER: "stable, not recovered", GREEN: "passes"}  # of the verdicts, worst first
 SIGNS = {RED: "×", AMBER: "–", GREEN: "✓"}

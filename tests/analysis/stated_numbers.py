@@ -2,7 +2,8 @@
 
 STATED: {README: [(words, values)]}. Braces in the words, as in `{:.1f}`, stand for a value from committed
 results. Words without braces have no committed data: the text after the words states how to repeat the
-measurement, and its date; or it is the path, from the README, of the file with the constant.
+measurement, and its date; or it is the path, from the README, of the file with the constant, and then a
+pattern of the constant in this file.
 """
 import json
 import re
@@ -129,11 +130,14 @@ STATED["lib/bendlab/solver/README.md"] = [
 STATED["lib/python/README.md"] = [
     ("`quasi_newton` 4.1 times as long, and a step of `pbd` 24 times", "tests/python/cost.py, 2026-11-26")]
 STATED["experiments/README.md"] = [
-    ("writes a checkpoint every 10 s", "run/run_control.hpp"), ("than 1 % of its time", "run/checkpoint.cpp"),
-    ("reach about 90 %", "measures/effective_stiffness.hpp"), ("than 50 ms are repeated", "advise/runs.cpp"),
-    ("a mean strain up to 1 %", "measures/effective_stiffness.cpp"),
-    ("an error above 20 %, 10 % more strain", "advise/trial.hpp"),
-    ("stretched to 1.5 times the", "advise/trial.hpp")]
+    ("writes a checkpoint every 10 s", "run/run_control.hpp", "checkpoint_interval_s = 10;"),
+    ("than 1 % of its time", "run/checkpoint.cpp", r"largest_share = 0\.01;"),
+    ("reach about 90 %", "measures/effective_stiffness.hpp", "substeps_for_90_percent"),
+    ("than 50 ms are repeated", "advise/runs.cpp", r"long_enough = 0\.05;"),
+    ("a mean strain up to 1 %", "measures/effective_stiffness.cpp", r"stretched = 0\.01;"),
+    ("an error above 20 %, 10 % more strain", "advise/trial.hpp",
+     r"(?s)largest_error = 0\.2;.*largest_strain = 0\.1;"),
+    ("stretched to 1.5 times the", "advise/trial.hpp", r"largest_stretch = 1\.5;")]
 STATED["experiments/bench/README.md"] = [
     ("about 30 minutes", "./bendlab bench, 2026-11-22"),
     ("(xx, yy, xy) | {:.1f} ns | {:.1f} ns | {:.0f} ns | {:.1f} ns", *cost("strain", 128, 1024)),
@@ -150,8 +154,8 @@ STATED["experiments/bench/README.md"] = [
     ("they leave {:.0f} to {:.0f} % more", min(colour_from_pins), max(colour_from_pins))]
 STATED["analysis/README.md"] = [
     ("takes about 24 minutes", REPRODUCE), ("takes about 28 minutes", REPRODUCE),
-    ("errors of 20, 5 and 1 %", "figures/accuracy/measures.py"),
-    ("ten minutes at rest", "../configs/stability/rest_slow.json"),
+    ("errors of 20, 5 and 1 %", "figures/accuracy/measures.py", r"LEVELS = \(20, 5, 1\)"),
+    ("ten minutes at rest", "../configs/stability/rest_slow.json", '"duration": 600'),
     ("in all of {:.0f} comparisons, by {:.1f} to {:.0f} times", len(gains), min(gains), max(gains)),
     ("of `dihedral` is {:.2f} % in 64 substeps and {:.2f} % in 256", *hinge),
     ("against the stated cloth is {:.1f} %", 100 * paper[ERROR]),

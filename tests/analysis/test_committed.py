@@ -95,6 +95,11 @@ class Compared(unittest.TestCase):
         self.assertEqual([(theirs, mine) for _, theirs, mine in self.compared().verdicts],
                          [("green", "red"), ("holds", "does not hold")])
 
+    def test_two_verdicts_with_one_name_are_an_error(self):
+        write(self.theirs, checks=[check("a length", 1.0), check("a length", 2.0)])
+        with self.assertRaisesRegex(ValueError, "two verdicts with the name 'a length, a model, a mesh'"):
+            committed.rows_of(self.theirs)
+
     def test_without_committed_page_there_is_no_comparison(self):
         self.assertIsNone(self.compared())
 

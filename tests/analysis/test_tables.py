@@ -16,6 +16,7 @@ from bendlab.results import registry  # noqa: E402
 from draw import chart_files  # noqa: E402
 from tables import looks  # noqa: E402
 from tables.chart import Chart, resolved  # noqa: E402
+from tables.committed import COMMITTED  # noqa: E402
 from tables.section import Check, Claim, Section, bits_of, write_objects  # noqa: E402
 from tables.table import Column, Table, cell_text  # noqa: E402
 from web.html_parts import CHOICES, MANY, table_html  # noqa: E402
@@ -77,11 +78,11 @@ class CellText(unittest.TestCase):
 
 class Tables(unittest.TestCase):
     def table(self):
-        columns = ["model", ("error_share", "", ".1f", "%"), Column("least", least=0.5),
+        columns = ["model", ("error_share", "", ".1f", "%"), Column("error", least="gap"),
                    ("place", "", "", "", "", False)]
         return Table.of("t", "A caption", columns, [
-            {"model": "none", "error_share": 12.34, "least": 0.1, "place": 3},
-            {"model": "lod", "error_share": NAN, "least": INF}])
+            {"model": "none", "error_share": 12.34, "error": 0.1, "gap": 0.5, "place": 3},
+            {"model": "lod", "error_share": NAN, "error": INF, "gap": 0.5}])
 
     def test_only_visible_columns_have_cells(self):
         self.assertEqual(self.table().texts(), [["none", "12.3", "below 0.50"], ["lod", "–", "∞"]])
@@ -105,7 +106,7 @@ class Tables(unittest.TestCase):
         again = Table.of_json(kept)
         self.assertEqual((again.id, again.caption, again.columns), (table.id, table.caption, table.columns))
         self.assertEqual(again.rows[0], table.rows[0])
-        self.assertEqual(again.rows[1], {"model": "lod", "error_share": None, "least": INF})
+        self.assertEqual(again.rows[1], {"model": "lod", "error_share": None, "error": INF, "gap": 0.5})
         self.assertEqual(again.texts(), table.texts())
         self.assertEqual(again.as_json(), table.as_json())
 
@@ -115,6 +116,11 @@ class Tables(unittest.TestCase):
         again = Table.of_json(json.loads(json.dumps(table.as_json(), allow_nan=False)))
         self.assertEqual(again.texts(), table.texts())
         self.assertEqual(again.texts(), [["1.00 – ∞", "−∞ – –", "1 – 2"]])
+
+    def test_a_row_has_a_value_for_each_column(self):
+        for row in ((1,), (1, 2, 3)):
+            with self.assertRaises(ValueError):
+                Table.of("t", "", ["a", "b"], [row])
 
     def test_saved_numbers_have_nine_digits(self):
         kept = Table.of("t", "", ["a"], [{"a": 1 / 3}, {"a": 123456789012}]).as_json()["rows"]
@@ -145,9 +151,10 @@ class Resolved(unittest.TestCase):
         self.assertEqual(len(chart["series"]), 6)
 
     def test_points_are_sorted_by_x_and_points_without_x_are_left_out(self):
-        rows = [{"model": "none", "x": x, "y": y} for x, y in ((4, 1.0), (1, 2.0), (None, 3.0), (2, None))]
+        rows = [{"model": "none", "x": x, "y": y} for x, y in (
+            (4, 1.0), (1, 2.0), (None, 3.0), (2, None), (NAN, 4.0), (3, 5.0), (INF, 6.0))]
         series, = chart_of(Table.of("t", "", ["model", "x", "y"], rows), "x", ["y"])["series"]
-        self.assertEqual((series["x"], series["y"]["y"]), ([1, 4], [2, 1]))
+        self.assertEqual((series["x"], series["y"]["y"]), ([1, 3, 4], [2, 5, 1]))
 
     def test_infinite_numbers_are_signs_and_unknown_numbers_are_none(self):
         values = (1.0, INF, -INF, NAN, 1.234567)
@@ -157,7 +164,7 @@ class Resolved(unittest.TestCase):
 
     def test_a_held_axis_has_an_initial_value(self):
         table = error_table(meshes=("grid", "disc", "tube"))
-        for at, place in (("", 1), ("grid", 0), ("tube", 2), ("sphere", 1)):  # sphere has no rows: the middle
+        for at, place in (("", 1), ("grid", 0), ("tube", 2)):
             chart = chart_of(table, "cells", ["error"], held=["mesh"], at=at)
             axis, = chart["held"]
             self.assertEqual((axis["name"], axis["label"], axis["values"], axis["at"]),
@@ -205,7 +212,7 @@ class Resolved(unittest.TestCase):
         self.assertEqual((line["x"], line["y"]["error"]), ([8, 32], [12.5, 3.125]))
         self.assertEqual(chart["held"][0]["values"], ["grid", "disc"])
         self.assertEqual(registry.models(), known)  # a theory is not a model
-        alone = chart_of(error_table(), "cells", ["error"], held=["mesh"], theory="theory")
+        alone = chart_of(error_table(), "cells", ["error"], held=["mesh"])
         self.assertEqual(len(alone["series"]), len(chart["series"]) - 1)
 
     def test_a_table_without_numbers_has_no_chart(self):
@@ -213,7 +220,27 @@ class Resolved(unittest.TestCase):
             rows = [{"model": "none", "x": 1, "y": value, "z": value}, {"model": "lod", "x": 2}]
             self.assertIsNone(chart_of(Table.of("t", "", ["model", "x", "y", "z"], rows), "x", ["y", "z"]))
         self.assertIsNone(chart_of(Table.of("t", "", ["model", "x", "y"], []), "x", ["y"]))
-        self.assertIsNone(resolved(Chart("a", "A title", "absent", "x", ["y"]), {}, ""))
+
+    def test_a_name_that_does_not_exist_is_an_error(self):
+        known = {"table": "errors", "x": "cells", "ys": ["error"]}
+        for wrong in ({"theory": "absent"}, {"limits": [("absent", 1, "")]}, {"held": ["absent"]},
+                      {"curve": ["absent"]}, {"x": "absent"}, {"ys": ["error", "absent"]}, {"ys": ["absent"]},
+                      {"table": "absent"}):
+            with self.subTest(wrong), self.assertRaisesRegex(ValueError, "absent"):
+                resolved(Chart("a", "A title", **known | wrong), {"errors": error_table()}, "")
+
+    def test_the_charts_of_the_committed_pages_begin_with_a_value_that_exists(self):
+        # A value without rows is no error, because rows may be missing on a user's page.
+        began = 0
+        for page in sorted(COMMITTED.glob("*/page.json")):
+            for entry in json.loads(page.read_text(encoding="utf-8")):
+                section = Section.of_json(entry)
+                tables = {table.id: table for table in section.tables}
+                for chart in (chart for chart in section.charts if chart.at):
+                    data = resolved(chart, tables, "")
+                    self.assertEqual(data["held"][0]["values"][data["held"][0]["at"]], chart.at, chart.id)
+                    began += 1
+        self.assertGreater(began, 4)
 
     def test_curves_of_the_same_model_have_different_lines(self):
         chart = chart_of(error_table(cells=(8, 16)), "ms", ["error"], ["model", "mesh"])
@@ -292,6 +319,8 @@ class Files(unittest.TestCase):
         self.assertEqual([text.get_text() for text in axes.get_yticklabels()], ["grid", "disc"])
         np.testing.assert_array_equal(axes.lines[0].get_xdata(), [12.5, 125])
         np.testing.assert_array_equal(axes.lines[0].get_ydata(), [0, 1])
+        bars = [[tuple(end) for end in bar] for bar in axes.collections[0].get_segments()]
+        self.assertEqual(bars, [[(6.25, 0), (25, 0)], [(62.5, 1), (250, 1)]])
         self.assertEqual((axes.get_xscale(), axes.get_xlabel()), ("log", "error (%)"))
 
     def test_a_panel_of_a_held_band_has_only_its_own_categories(self):
@@ -306,6 +335,21 @@ class Files(unittest.TestCase):
         axes, = self.written(Resolved.bars())
         self.assertEqual([(bar.get_x(), bar.get_width()) for bar in axes.patches],
                          [(0, 12.5), (0, 6.25), (12.5, 1), (6.25, 4)])
+
+    def test_every_metric_has_a_panel_and_held_values_without_a_panel_are_counted(self):
+        metrics = ["error", "ms", "third", "fourth"]
+        table = Table.of("t", "", ["model", "x", *metrics], [("none", 1, 1.0, 2.0, 3.0, 4.0)])
+        self.assertEqual(len(self.written(chart_of(table, "x", metrics))), 4)
+        meshes = [f"mesh {place}" for place in range(chart_files.MOST_PANELS + 2)]
+        panels = self.written(chart_of(error_table(meshes=meshes), "cells", ["error"], held=["mesh"]))
+        self.assertEqual(len(panels), chart_files.MOST_PANELS)
+        self.assertIn("2 more values of mesh", panels[0].figure._suptitle.get_text())
+
+    def test_an_infinite_bar_is_named(self):
+        table = Table.of("t", "", ["model", "x", "y"], [("none", 1, INF), ("lod", 2, 3.0)])
+        axes, = self.written(chart_of(table, "x", ["y"], kind="bars"))
+        self.assertEqual([text.get_text() for text in axes.get_yticklabels()], ["1, ∞", "2"])
+        self.assertEqual([bar.get_width() for bar in axes.patches], [0, 3])
 
     def test_a_chart_without_a_finite_number_has_no_file(self):
         table = Table.of("t", "", ["model", "x", "y"], [{"model": "none", "x": 1, "y": INF}])
@@ -359,7 +403,8 @@ class Html(unittest.TestCase):
         self.assertEqual([attributes.get("class") for attributes, _ in cells.of("td")][:2], ["t", None])
 
     def test_cells_keep_nine_digits_in_an_attribute(self):
-        table = Table.of("t", "", [Column("x", least=0.5)], [{"x": 1 / 3}, {"x": 123456.789}, {"x": 1e-12}])
+        rows = [{"x": 1 / 3, "least": 0.5}, {"x": 123456.789, "least": 0.5}, {"x": 1e-12, "least": 0.5}]
+        table = Table.of("t", "", [Column("x", least="least")], rows)
         cells = Cells(table_html(table)).of("td")
         self.assertEqual([(text, attributes["data-v"]) for attributes, text in cells],
                          [("below 0.50", "0.333333333"), ("1.23e+05", "123456.789"),
@@ -429,6 +474,15 @@ class Sections(unittest.TestCase):
             text = file.read_text(encoding="utf-8")
         self.assertEqual(json.loads(text), objects)
         self.assertEqual(len(text.splitlines()), 4)  # a line per object, and the brackets
+
+    def test_a_section_keeps_only_values_that_columns_and_charts_show(self):
+        table = error_table(models=("none",), meshes=("grid",), cells=(8,))
+        table.columns.append(Column("least", least="gap"))
+        table.rows[0] |= {"unused": 1, "gap": 2, "error_low": 3, "kind": "a", "other_low": 4}
+        chart = Chart("a", "", "errors", "cells", ["error"], held=["kind"])
+        row, = Section("a", "A", charts=[chart], tables=[table]).as_json()["tables"][0]["rows"]
+        self.assertEqual(set(row), {"model", "mesh", "cells", "error", "ms", "runs", "gap", "error_low",
+                                    "kind"})
 
     def test_a_section_returns_the_rows_of_a_table_by_id(self):
         section = Section("a", "A", tables=[Table.of("t", "", ["x"], [{"x": 1}])])

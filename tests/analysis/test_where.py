@@ -3,6 +3,8 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -155,9 +157,20 @@ class WholeRun(unittest.TestCase):
                     np.nan]
                 np.testing.assert_allclose(value, np.median(expected), rtol=1e-12)
 
+    def test_ranges_leave_out_a_tenth_at_each_end(self):
+        part = SimpleNamespace(distance=np.arange(1.0, 12), worst=np.arange(11), ring=np.arange(11), cell=1,
+                               at_pin=np.ones(11, bool), largest=lambda *where: 1.0, disagreement=0,
+                               over_distance=lambda edges, *share: edges[1:])
+        with mock.patch.object(stretch, "Stretched", lambda run: part):
+            group = stretch.Group([self.run])
+        np.testing.assert_allclose((*group.range, *group.rings), (2, 10, 1, 9))
+
     def test_the_chart_and_the_table_of_a_group(self):
         group = stretch.Group([self.run, self.run])
         self.assertEqual((group.near.count, group.status), (2, {"complete": 2}))
+        part = stretch.Stretched(self.run)
+        edges = stretch.bin_edges(part.distance.min(), part.distance.max())
+        np.testing.assert_allclose(group.usual, part.over_distance(edges, 0.9), rtol=1e-12)
         self.assertEqual(max(group.near.median, group.far.median), group.whole.median)
         self.assertAlmostEqual(np.nanmax([s.median for s in group.worst]), group.whole.median, places=12)
         cases = {where.MENDED: {self.cells: group}, where.ADAPTIVE: {self.cells: group}}

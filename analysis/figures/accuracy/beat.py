@@ -7,14 +7,14 @@ import numpy as np
 
 from bendlab.results.load import by_model, group
 from figures.accuracy.measures import (cells, complete_runs, cost, error, front_rows, name_of, percent, row,
-                                       settings, table)
+                                       settings, table, with_error)
 from tables.numbers import number
 
 TENTH = 0.1  # limit of the checks, relative to the time and the error of the paper's default
 
 
 def main(results, out, section):
-    paper, coarse, rest = (complete_runs(results, section, name)
+    paper, coarse, rest = (with_error(section, complete_runs(results, section, name))
                            for name in ("paper_64", "paper_cells_slow", "beat"))
     star = next((run for run in paper if run.model == "adaptive"), None)
     if star is None or not rest:

@@ -60,8 +60,9 @@ def main(results, out, section):
         "fronts", "Error against time", "ms", ["error_physical", "error_solver"], ["curve"], held=["scene"],
         at=list(scenes)[0], y_scale="log", on_top=True,
         note="Each curve is the front of a model: the runs for which no other run of the model has less time "
-             "and a smaller error. Smaller errors than these are not known, because the reference is not "
-             f"exact: {', '.join(uncertain)}. Click a point to open its run.")
+             "and a smaller error. "
+             + (f"Smaller errors than these are not known, because the reference is not exact: "
+                f"{', '.join(uncertain)}. " if uncertain else "") + "Click a point to open its run.")
     messages = ". ".join(message(scene, stated) for scene, (stated, _) in scenes.items())
     section.add_chart(
         "within", "Models near the stated cloth", "name", ["ms"], ["within"], id="levels", held=["scene"],
@@ -81,5 +82,5 @@ def message(scene, stated):
             parts.append(f"{name_of(run.model)} reaches {level} % in the least time, "
                          f"{number(cost(run), 2)} ms")
         else:
-            parts.append(f"no model reaches {level} %")
+            parts.append(f"none of the {len(stated)} runs reaches {level} %")
     return f"{scene[:1].upper()}{scene[1:]}: {', '.join(parts)}"

@@ -4,10 +4,11 @@ consists of the runs for which no other run has less cost and a smaller error.
 import numpy as np
 
 from bendlab.results.load import by_model
-from runs import accuracy_runs
+from runs import accuracy_runs, sweeps
+from runs.strips import cells
 from runs.sweeps import load_experiment
 from tables import looks
-from tables.numbers import number, rounded
+from tables.numbers import finite, number, rounded
 from tables.table import Column, Table
 
 LEVELS = (20, 5, 1)  # target errors in %; tables state the least time to reach each of these
@@ -30,7 +31,7 @@ COLUMNS = {column.id: column for column in (
     Column("name", "model"), Column("cells", "cells"), Column("settings", "substeps × iterations"),
     Column("ms", "CPU time per frame of 1/60 s", "", "ms"), Column("projections", "projections per frame"),
     Column("error_physical", "error from the stated cloth", "", "%",
-           "root mean square distance to the stated cloth, in % of the diagonal at rest"),
+           "root mean square distance to the stated cloth, in % of the diagonal at rest", least="gap"),
     Column("error_solver", "error from its own equilibrium", "", "%",
            "root mean square distance to the equilibrium of the model's own energies on its mesh"),
     Column("strain", "strain, root mean square", "", "%"), Column("memory", "memory", "", "MB"))}
@@ -48,11 +49,14 @@ def experiment_runs(results, section, *names):
 
 
 def complete_runs(results, section, *names):
-    return [run for run in experiment_runs(results, section, *names) if run.complete]
+    return [run for name in names
+            for run in sweeps.complete_runs(section, load_experiment(results, f"accuracy/{name}"))]
 
 
-def cells(run):
-    return run.get("/mesh/cells")
+def with_error(section, runs):
+    """The runs of one config whose error is known. The section gets the other runs."""
+    sweeps.leave_out(section, [run for run in runs if not np.isfinite(error(run))], "error not known")
+    return [run for run in runs if np.isfinite(error(run))]
 
 
 def substeps(run):
@@ -64,7 +68,8 @@ def row(run):
     return {"model": run.model, "name": name_of(run.model), "cells": cells(run),
             "settings": settings(run), "substeps": substeps(run),
             "precision": run.get("/solver/precision"), "ms": cost(run), "projections": projections(run),
-            "error_physical": 100 * error(run), "error_solver": 100 * solver_error(run),
+            "error_physical": 100 * error(run), "gap": 100 * gap([run]),
+            "error_solver": 100 * solver_error(run),
             "strain": 100 * error(run, "strain"), "memory": run.summary.get("memory_bytes", np.nan) / 1e6,
             "runs": [run.id]}
 
@@ -81,12 +86,12 @@ def name_of(model):
 
 
 def cost(run):
-    """CPU time of the steps per frame, in ms."""
-    return 1e3 * run.step_cpu_s / frames(run)
+    """CPU time of the steps per frame, in ms; infinite for a run that ended at its start."""
+    return 1e3 * run.step_cpu_s / frames(run) if frames(run) else np.inf
 
 
 def projections(run):
-    return run.summary.get("projections", np.nan) / frames(run)
+    return run.summary.get("projections", np.nan) / (frames(run) or np.nan)
 
 
 def frames(run):
@@ -109,7 +114,8 @@ def solver_error(run):
 def gap(runs, against="physical"):
     """The smallest error that the references of these runs can measure: the largest distance of a reference
     from a coarser reference. NaN without coarser references."""
-    return max((run.summary.get(f"error_{against}_reference_gap", np.nan) for run in runs), default=np.nan)
+    return max(finite(run.summary.get(f"error_{against}_reference_gap", np.nan) for run in runs),
+               default=np.nan)
 
 
 def known_levels(runs, against="physical"):
@@ -160,7 +166,8 @@ def levels_rows(runs, scene, against, meaning):
     known, rows = known_levels(runs, against), []
     for model, own_runs in by_model(runs).items():
         rows.append({"scene": scene, "against": meaning, "name": name_of(model), "model": model,
-                     "least": 100 * min(error(run, against=against) for run in own_runs),
+                     "least": 100 * min(finite(error(run, against=against) for run in own_runs),
+                                        default=np.nan),
                      "not_known": 100 * gap(runs, against)})
         for level in LEVELS:
             run = reaching(own_runs, level, against) if level in known else None
@@ -172,7 +179,8 @@ def levels_rows(runs, scene, against, meaning):
 
 def levels_table(rows):
     return table("levels", "CPU time per frame of the cheapest run of each model for three target errors", [
-        "scene", ("against", "error from"), "name", *LEVEL_COLUMNS, ("least", "least error", "", "%"),
+        "scene", ("against", "error from"), "name", *LEVEL_COLUMNS,
+        Column("least", "least error", unit="%", least="not_known"),
         ("not_known", "smallest measurable error", "", "%")], rows)
 
 

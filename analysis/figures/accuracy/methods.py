@@ -20,8 +20,7 @@ def main(results, out, section):
     section.text += " " + _growth(rest)
     for id, runs, scene_of, title, note in (
             ("at_rest", rest, by_cells, _message(rest),
-             "A sheet of 40 cm hangs on two patches for 3 s. Times include the single factorisation of a "
-             "run."),
+             "A sheet of 40 cm hangs on two patches. Times include the single factorisation of a run."),
             ("membranes", stiffness, by_stiffness, "The method matters most for a stiff membrane",
              "48 cells. Y is the membrane's stiffness."),
             ("models", models, lambda run: name_of(run.model), "Methods over bending models", "48 cells."),
@@ -30,7 +29,7 @@ def main(results, out, section):
         if runs:
             section.add_chart(
                 _fronts(id, runs, scene_of), title, "ms", ["error_solver"], ["kind"], held=["scene"],
-                y_scale="log", look="method", limits=[("error_solver", 1, "1 %")],
+                y_scale="log", look="method", limits=[("error_solver", LEVEL, f"{LEVEL} %")],
                 note=f"{note} A curve has the runs of a method with the least time for an error."
                      f"{_left_out(runs)}")
             section.tables.append(_levels(f"{id}_levels", runs, scene_of, title))
@@ -106,7 +105,8 @@ def _message(runs):
             times.append(f"{xpbd / min(costs.values()):.1f} × at {count}")
     if not times:
         return "Error at rest over CPU time, for each solver method"
-    return f"For an error of 1 % at rest XPBD takes longer than the fastest method: {', '.join(times)} cells"
+    return (f"For an error of {LEVEL} % at rest XPBD takes longer than the fastest method: "
+            f"{', '.join(times)} cells")
 
 
 def _growth(runs):
@@ -117,7 +117,7 @@ def _growth(runs):
                   for of_size in group(own_runs, by_cells).values() if (run := cheapest(of_size))]
         if len(points) > 2:
             powers.append(f"{slope(*zip(*points)):.1f} for {kind}")
-    return ("The time to an error of 1 % grows as the number of vertices to the power "
+    return (f"The time to an error of {LEVEL} % grows as the number of vertices to the power "
             f"{', '.join(powers)}." if powers else "")
 
 
@@ -136,7 +136,7 @@ def _levels(id, runs, scene_of, caption):
 
 
 def _set_up_table(runs):
-    """Set-up times of the cheapest run with an error of 1 %, for each method and size."""
+    """Set-up times of the cheapest run with an error of LEVEL, for each method and size."""
     rows = []
     for scene, kind, own_runs in by_kind(runs, by_cells):
         if run := cheapest(own_runs):
@@ -145,10 +145,10 @@ def _set_up_table(runs):
                          "without": cost(run) - factor / frames(run), "with_factor": cost(run),
                          "with_both": cost(run) + set_up / frames(run)})
     return table(
-        "set_up", "Set-up of the cheapest run with an error of 1 %. Set-up makes the mesh, its constraints "
-                  "and their order. Factorisation is the one factorisation of quasi_newton; newton's "
-                  "factorisations count as steps. The last two columns include these times, divided by the "
-                  "number of frames in 3 s.",
+        "set_up", f"Set-up of the cheapest run with an error of {LEVEL} %. Set-up makes the mesh, its "
+                  "constraints and their order. Factorisation is the one factorisation of quasi_newton; "
+                  "newton's factorisations count as steps. The last two columns include these times, divided "
+                  "by the run's number of frames.",
         ["scene", "method", ("set_up", "set-up", "", "ms"), ("factor", "factorisation", "", "ms"),
          ("without", "ms per frame without both"), ("with_factor", "with the factorisation"),
          ("with_both", "with both")], rows)

@@ -36,10 +36,11 @@ def main(results, out, section):
     if not all(runs for *_, runs in panels):
         return
     rows = [{"scene": scene, "precision": run.get("/solver/precision"), "substeps": substeps(run),
-             "error": max(error(run), 1e-9), "of_bound": max(error(run), 1e-9) / bound}
+             "error": error(run), "of_bound": error(run) / bound}
             for scene, error, bound, runs in panels for run in runs]
     finest = max(row["substeps"] for row in rows)
     last = [row["of_bound"] for row in rows if row["precision"] == "single" and row["substeps"] == finest]
+    alike = [f"{until} ({scene})" for scene, error, _, runs in panels if (until := alike_until(error, runs))]
     section.add_chart(
         Table.of("rounding", "Errors relative to closed forms", [
             "scene", "precision", ("substeps", "substeps of 1/60 s"), ("error", "relative error"),
@@ -47,18 +48,14 @@ def main(results, out, section):
         f"With {finest} substeps single precision stays within {sum(share <= 1 for share in last)} of "
         f"{len(last)} bounds", "substeps", ["of_bound", "error"], ["precision"], held=["scene"], scale="log2",
         y_scale="log", look="", limits=[("of_bound", 1, "the bound")],
-        note=f"Up to {alike_until(panels)} substeps the errors of both precisions differ by less than 10 %: "
-             "these errors come from the solver, not from rounding.")
+        note=f"Up to {' and '.join(alike)} substeps the errors of both precisions differ by less than 10 %: "
+             "these errors come from the solver, not from rounding." if alike else "")
 
 
-def alike_until(panels):
-    """The largest number of substeps up to which, in all panels, the errors of both precisions differ by less
-    than a tenth."""
-    ends = []
-    for _, error, _, runs in panels:
-        single, double = ({substeps(run): error(run) for run in select(runs, solver__precision=precision)}
-                          for precision in ("single", "double"))
-        alike = takewhile(lambda count: abs(single[count] - double[count]) <= 0.1 * double[count],
-                          sorted(single.keys() & double.keys()))
-        ends.append(max(alike, default=0))
-    return min(ends)
+def alike_until(error, runs):
+    """The most substeps up to which the errors of both precisions differ by less than a tenth."""
+    single, double = ({substeps(run): error(run) for run in select(runs, solver__precision=precision)}
+                      for precision in ("single", "double"))
+    alike = takewhile(lambda count: abs(single[count] - double[count]) <= 0.1 * double[count],
+                      sorted(single.keys() & double.keys()))
+    return max(alike, default=0)

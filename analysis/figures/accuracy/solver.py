@@ -97,7 +97,8 @@ def message(gains, between):
 
 def finest_best(runs):
     """Text like '3 of 4': for how many models the smallest time step has the smallest error."""
-    best = [min(own_runs, key=solver_error).get("/solver/dt") for own_runs in by_model(runs).values()]
+    known = [run for run in runs if np.isfinite(solver_error(run))]
+    best = [min(own_runs, key=solver_error).get("/solver/dt") for own_runs in by_model(known).values()]
     return f"{best.count(min((run.get('/solver/dt') for run in runs), default=None))} of {len(best)}"
 
 

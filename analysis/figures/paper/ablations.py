@@ -5,6 +5,7 @@ import numpy as np
 
 from bendlab.results.load import at, group
 from figures.paper import medians
+from runs.strips import largest_ratio
 from runs.sweeps import CONFIGS, load_experiment
 from tables.numbers import number
 
@@ -21,15 +22,16 @@ def main(results, out, section):
         if experiment.missing_text and (experiment.runs or not config.stem.endswith("_full")):
             section.missing.append(f"configs/ablations/{config.name}: {experiment.missing_text}")
     section.commands.append("./bendlab run configs/ablations/*.json")
-    rows.sort(key=lambda row: -row["effect"])
-    section.add_table("ablations", "Median over the last second and over three seeds", [
+    rows.sort(key=lambda row: -row["effect"] if row["effect"] > 0 else 0)  # an unknown effect is last
+    known = [row for row in rows if row["effect"] > 0]
+    section.add_table("ablations", "Median over the last second and over seeds", [
         "question", "choice", "N", ("effect", "largest over smallest stretch − 1 at the pin"),
-        *medians.columns(METRICS), ("springs", "springs", ",.0f")], rows)
-    if rows:
+        *medians.columns(METRICS), ("springs", "springs", ",.0f"), ("status", "runs")], rows)
+    if known:
         section.add_chart(
             "ablations", "What the paper leaves open changes the stretch at the pin by up to "
-            f"{number(rows[0]['effect'], 2)} times ({rows[0]['question']}); the least important question is "
-            f"{rows[-1]['question']}", "answer", medians.names(METRICS), ["kind"], scale="band",
+            f"{number(known[0]['effect'], 2)} times ({known[0]['question']}); the least important question "
+            f"is {known[-1]['question']}", "answer", medians.names(METRICS), ["kind"], scale="band",
             y_scale="log", look="", note="The questions with the largest effect at the pin come first. Bars "
             "go from the smallest to the largest seed.")
 
@@ -49,8 +51,8 @@ def _rows(config, experiment):
         rows.append({"question": question, "choice": choice, "N": cells, "answer": f"{question}: {choice}",
                      "kind": "our default" if answers[i] == default else "another answer"}
                     | medians.row(runs, [*METRICS, ("springs", 0, "")]))
-    stretches = [row["pin_max_stretch"] for row in rows]
-    return [row | {"effect": max(stretches) / min(stretches)} for row in rows]
+    effect = largest_ratio(row["pin_max_stretch"] for row in rows)
+    return [row | {"effect": effect} for row in rows]
 
 
 def _choice(pointer, value, run):

@@ -1,7 +1,7 @@
 """Fig. 1: with strain constraints and one pinned vertex, triangles at the pin are stretched too much."""
 import numpy as np
 
-from bendlab.results.load import select, spread, summary_spread
+from bendlab.results.load import select, spread, statuses, summary_spread
 from draw import cloth
 from figures.paper import medians
 from runs.sweeps import used_runs
@@ -22,15 +22,15 @@ def main(results, out, section):
                                  "the first at which every sheet has had a triangle at the pin that is more "
                                  "than twice its length at rest."))
     median = lambda name, runs: summary_spread(runs, name).median
-    onset = lambda runs: spread([run.metrics["time"][_onset(run)] for run in runs]).median
+    onset = lambda runs: spread([_onset(run)[1] for run in runs]).median
     rows = [{"model": model, "N": n, "onset": onset(runs), "pin": median("pin_max_stretch", runs) - 1,
              "anywhere": median("max_stretch", runs) - 1, "mean": median("mean_strain", runs)}
-            for (model, n), runs in groups.items()]
+            | {"status": medians.status_text(statuses(runs))} for (model, n), runs in groups.items()]
     section.add_table(
         "fig_1", "Time of the first failure (median over seeds). The other columns are medians over the last "
         "second and over seeds",
         ["model", "N", ("onset", "pin fails at", "", "s"), ("pin", "stretch − 1 at the pin"),
-         ("anywhere", "largest anywhere"), ("mean", "mean strain")], rows)
+         ("anywhere", "largest anywhere"), ("mean", "mean strain"), ("status", "runs")], rows)
     section.add_chart(
         _over_time(groups), "Without bending springs the failure spreads from the pin over the whole sheet",
         "time", ["pin_max_stretch", "mean_strain"], ["model", "N"], scale="linear", y_scale="log",
@@ -46,13 +46,13 @@ def main(results, out, section):
 
 
 def _onset(run):
-    """Index of the first frame with a failure at the pin, or of the last frame."""
+    """(index, time) of the first frame with a failure at the pin; of the last frame, and ∞, without one."""
     wrong = np.flatnonzero(run.metrics["pin_max_stretch"] - 1 > WRONG)
-    return int(wrong[0]) if len(wrong) else run.frames - 1
+    return (int(wrong[0]), run.metrics["time"][wrong[0]]) if len(wrong) else (run.frames - 1, np.inf)
 
 
 def _pictures(groups, out):
-    onset = max(_onset(group[0]) for group in groups.values() if group)  # all panels show the same time
+    onset = max(_onset(group[0])[0] for group in groups.values() if group)  # all panels show the same time
     samples = {key: (group[0], min(onset, group[0].frames - 1)) if group else None
                for key, group in groups.items()}
     camera = cloth.camera_of(samples.values(), elevation=20, aspect=None)
@@ -72,7 +72,7 @@ def _over_time(groups):
         length = min((run.frames for run in runs), default=0)
         over = [np.median([run.metrics[name][:length] - offset for run in runs], axis=0)
                 for name, offset, _ in METRICS if runs]
-        rows += [(model, n, runs[0].metrics["time"][frame], *(max(values[frame], 1e-3) for values in over))
+        rows += [(model, n, runs[0].metrics["time"][frame], *(max(values[frame], 0) for values in over))
                  for frame in range(1, length)]
     return Table.of("fig_1_time", "", ["model", "N", ("time", "time", "", "s"),
                                        *((name, label) for name, _, label in METRICS)], rows)

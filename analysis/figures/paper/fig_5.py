@@ -42,7 +42,7 @@ def main(results, out, section):
         "Crossover and adaptive springs at several resolutions", "N", medians.names(METRICS),
         ["model", "pinned"], id="fig_5_numbers", held=["damping"], at="no damping", **scales,
         limits=[(name, 1, "twice as long") for name, offset, _ in METRICS if offset],
-        note="Medians over the last second and over seeds (five up to N = 64, then three). Bars go from the "
+        note="Medians over the last second and over seeds, whose number is in the table. Bars go from the "
         "smallest to the largest seed.")
     section.add_chart(
         _factor_table(floor), "How much each of the two changes reduces the stretch", "N", ["factor"],
@@ -139,7 +139,7 @@ def _rounding_table(runs):
             if (model, ring) == ("adaptive", 1)]
     return Table.of("fig_5_rounding", "Adaptive springs with the 1-ring pinned: two readings of eq. 6", [
         ("rounding", "reading"), N_COLUMN, *((name, label, ".0f") for name, _, label in LEVELS),
-        *medians.columns(ROUNDED)], rows)
+        *medians.columns(ROUNDED), ("status", "runs")], rows)
 
 
 def _resolution_claims(grid):

@@ -8,7 +8,7 @@ from bendlab.results.load import group, select, summary_spread
 from draw import cloth
 from figures.paper import medians
 from runs.distance import between_runs
-from runs.sweeps import load_experiment
+from runs.sweeps import complete_runs, load_experiment
 from tables.section import Claim, Table
 
 CLAIMED = 0.20  # share of springs that the paper saves
@@ -20,7 +20,7 @@ def main(results, out, section):
     for n, config in EXPERIMENTS.items():
         experiment = load_experiment(results, config)
         if experiment.runs or not config.endswith("_full"):
-            groups = group(section.uses(experiment), damping_rate)
+            groups = group(complete_runs(section, experiment), damping_rate)
             cases += [Case(n, rate, runs) for rate, runs in sorted(groups.items())]
     cases = [case for case in cases if case.lod and case.full]
     if cases:
@@ -44,11 +44,10 @@ def damping_text(rate):
 
 
 class Case:
-    """The runs with one resolution and damping: full runs, LOD runs of every t, and distances."""
+    """The complete runs with one resolution and damping: full, LOD of every t, and distances."""
 
     def __init__(self, n, rate, runs):
         self.n, self.rate, self.name = n, rate, f"N = {n}, {damping_text(rate)}"
-        runs = [run for run in runs if run.complete]
         self.full = select(runs, bending__model="adaptive")
         self.lod = dict(sorted(group(select(runs, bending__model="lod"),
                                      lambda run: run.get("/bending/lod/t")).items()))

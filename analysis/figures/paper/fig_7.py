@@ -25,7 +25,7 @@ def main(results, out, section):
             for (rate, k), own_runs in sorted(cases.items())]
     section.add_table("fig_7", "Median over the last second and over seeds", [
         "damping", ("k", "multiplier of n"), ("model_n", "n", ".0f"), ("springs", "springs", ",.0f"),
-        *medians.columns(METRICS)], rows)
+        *medians.columns(METRICS), ("status", "runs")], rows)
     section.add_chart(
         "fig_7", "If the pins have springs to 1, 2 or 4 times as many rings n", "k", medians.names(METRICS),
         ["damping"], id="fig_7_numbers", scale="log2", y_scale="linear", look="",

@@ -2,8 +2,9 @@
 import numpy as np
 
 from draw import cloth
-from figures.paper.promise import ms_per_frame
+from figures.accuracy.measures import cost
 from figures.paper.scenes import frame_at
+from runs.strips import number as metric_of
 from runs.sweeps import used_runs
 from tables.looks import model_name
 from tables.numbers import number
@@ -33,7 +34,7 @@ def main(results, out, section):
         "large_forces", "Every run",
         ["scene", "settings", "model", ("status", "verdict"), *metrics,
          ("ms", "CPU time per step of 1/60 s", "", "ms")],
-        [{"scene": name, "settings": defaults, "model": model, "status": run.status, "ms": ms_per_frame(run)}
+        [{"scene": name, "settings": defaults, "model": model, "status": run.status, "ms": cost(run)}
          | {metric: run.summary.get(metric) for metric, _ in metrics}
          for name, runs in scenes.items() for (defaults, model), run in runs.items()])
     over_time = Table.of(
@@ -42,16 +43,12 @@ def main(results, out, section):
         [(name, WHOSE[key[0]], key[1], time, stretch)
          for name, runs in scenes.items() for key, run in runs.items() if key in ROWS
          for time, stretch in zip(run.metrics["time"], run.metrics["max_stretch"])])
-    worst = {name: {key: _worst(run) for key, run in runs.items()} for name, runs in scenes.items()}
+    worst = {name: {key: metric_of(run, "worst_stretch") for key, run in runs.items()}
+             for name, runs in scenes.items()}
     section.add_chart(over_time, _title(worst), "time", ["max_stretch"], ["settings", "model"],
                       id="large_forces", held=["scene"], scale="linear", y_scale="log",
                       note="The largest stretch of each recorded frame.")
     section.claims.append(_claim(worst))
-
-
-def _worst(run):
-    """The largest stretch at any time."""
-    return run.summary.get("worst_stretch", np.nan)
 
 
 def _picture(scenes, out):
@@ -60,19 +57,21 @@ def _picture(scenes, out):
         samples = {key: (runs[key], frame_at(runs[key], SCENES[name])) for key in ROWS if key in runs}
         camera = cloth.camera_of([samples[OURS]] if OURS in samples else samples.values(), aspect=0.85)
         rows[name] = [cloth.Panel(samples.get(key), camera, f"{model_name(key[1])}\n({WHOSE[key[0]]})",
-                                  f"largest σ₁ = {number(_worst(runs[key]), 3)}" if key in runs else "")
-                      for key in ROWS]
+                                  f"largest σ₁ = {number(metric_of(runs[key], 'worst_stretch'))}"
+                                  if key in runs else "") for key in ROWS]
     return cloth.sheet(rows, out, "fig_large_forces", inches=2.7)
 
 
 def _title(worst):
     said = []
     for name, stretches in worst.items():
-        paper = min((stretches[key] for key in stretches if key in ROWS and key != OURS), default=np.nan)
-        ours = max((stretches[key] for key in stretches if key[0] == "recommended"), default=np.nan)
-        said.append(f"{name}: at least {number(paper, 2)} times with the paper's springs, at most "
-                    f"{number(ours, 3)} with our defaults and any of four models")
-    return "How far large forces stretch a triangle. " + "; ".join(said)
+        paper = [stretches[key] for key in stretches if key in ROWS and key != OURS]
+        ours = [stretches[key] for key in stretches if key[0] == OURS[0]]
+        parts = [f"at least {number(np.min(paper), 2)} times with the paper's springs"] if paper else []
+        if ours:
+            parts.append(f"at most {number(np.max(ours), 3)} times with our defaults ({len(ours)} models)")
+        said += [f"{name}: {', '.join(parts)}"] if parts else []
+    return ". ".join(["How far large forces stretch a triangle", *filter(None, ["; ".join(said)])])
 
 
 def _claim(worst):
@@ -85,5 +84,5 @@ def _claim(worst):
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
                  f"no triangle is ever stretched to more than {MOST} times its length at rest", numbers,
                  max(ours.values()) <= MOST if whole else None,
-                 "When pins move abruptly, inertia alone stretches the triangle at a corner to 1.245 times "
-                 "its length, so this membrane cannot keep within the limit.")
+                 "When pins move abruptly, inertia alone stretches the triangle at a corner beyond the "
+                 "limit. configs/scenes/snatch.json states how far.")

@@ -185,11 +185,13 @@ def lod_looks_the_same(runs):
         apart, same = _apart(fewer, full), _apart(full, full)
         return f"{number(apart, 2)} ({number(same, 2)})", apart <= max(1.25 * same, SEEN)
 
-    cells = {}
-    for place, kinds in _variants(runs, lambda run: run.get("/bending/lod/t", "full")).items():
+    cells, levels = {}, []
+    for place, kinds in sorted(_variants(runs, lambda run: run.get("/bending/lod/t", "full")).items()):
         full = kinds.pop("full", [])
-        level, known = _twenty_percent_fewer(kinds, full), sum(kinds.values(), full)
+        (level, fewer), known = _twenty_percent_fewer(kinds, full), sum(kinds.values(), full)
         if level is not None:
+            levels.append(f"At N = {place.cells} with m {place.rounding}, t = {level} has "
+                          f"{100 * fewer:.0f} % fewer springs.")
             cells[place] = cell(judge, kinds[level], full)
         elif not all("springs" in run.summary for run in known):
             cells[place] = cell(lambda runs: median(runs, "springs"), known)  # NotMeasured
@@ -201,18 +203,18 @@ def lod_looks_the_same(runs):
         "at most 1.25 times as much as two sheets with all springs that start from different seeds, or by "
         f"at most {100 * SEEN:.0f} % of the size",
         "distance from the sheet with all springs (in brackets: two seeds, all springs)", cells,
-        HOW_FAR + " At N = 64, t = 5 has 17 % fewer springs if m is rounded. If m is rounded down, no "
-        "ring t has 15 to 25 % fewer springs, so there are no boxes.")
+        " ".join([HOW_FAR, *dict.fromkeys(levels)]))
 
 
 def _twenty_percent_fewer(kinds, full):
-    """The ring t whose saving of springs is nearest to 20 %. None if no saving is between 15 and 25 %."""
+    """(t, its saving) of the ring t whose saving of springs is nearest to 20 %. Without a saving between 15
+    and 25 %, t is None."""
     fewer = {}
     for level, runs in kinds.items():
         with suppress(NotMeasured):
             fewer[level] = 1 - median(runs, "springs") / median(full, "springs")
-    near = [level for level, share in fewer.items() if 0.15 <= share <= 0.25]
-    return min(near, key=lambda level: abs(fewer[level] - 0.2), default=None)
+    near = [entry for entry in fewer.items() if 0.15 <= entry[1] <= 0.25]
+    return min(near, key=lambda entry: abs(entry[1] - 0.2), default=(None, np.nan))
 
 
 def material_changes(runs):

@@ -1,12 +1,14 @@
 """Every bending model in two scenes: the hanging sheet of Fig. 5, and a clamped strip. For the matched runs
 of the strip, the compliances of the models are chosen for one flexural rigidity.
 """
+import re
+
 import numpy as np
 
-from bendlab.results.load import group, summary_spread
+from bendlab.results.load import group, statuses, summary_spread
 from draw import cloth
 from figures.paper import medians
-from runs.strips import model_name
+from runs.strips import elastica, model_name
 from runs.sweeps import load_experiment
 from tables.numbers import number
 from tables.table import Table
@@ -33,7 +35,8 @@ def main(results, out, section):
     section.add_chart(
         "profiles", strip_title(runs), "distance", ["height"], id="models_cantilever", held=["stiffness"],
         at="compliance", scale="linear", y_scale="linear", theory="elastica",
-        note=" ".join(strip.settings["description"] for strip in strips))
+        note=" ".join(dict.fromkeys(sentence for strip in strips
+                                    for sentence in re.split(r"(?<=\.) ", strip.settings["description"]))))
 
 
 def cost(runs):
@@ -100,14 +103,15 @@ def _sheet_table(substeps, models, runs):
     rows = []
     for own_runs in [runs[model, s] for model in models for s in substeps if (model, s) in runs]:
         name, s = model_name(own_runs[0]), own_runs[0].get("/solver/substeps")
-        rows.append({"model": name, "substeps": s, "name": f"{name}, {s}"}
+        rows.append({"model": name, "substeps": s, "name": f"{name}, {s}",
+                     "status": medians.status_text(statuses(own_runs))}
                     | {metric: summary_spread(own_runs, metric).median for metric, *_ in metrics}
                     | cost(own_runs))
     return Table.of("models", "The hanging sheet at 64 cells: medians over seeds, but minima for times", [
         "model", "substeps", *metrics, ("per_vertex", "bending constraints per vertex", ".2f"),
         ("ns", "time per projection", "", "ns"), ("strain", "strain", "", "ms per step"),
         ("bending", "bending", "", "ms per step"), ("rest", "other", "", "ms per step"),
-        ("name", "model, substeps", "", "ms per step", "CPU time", False)], rows)
+        ("status", "runs"), ("name", "model, substeps", "", "ms per step", "CPU time", False)], rows)
 
 
 PROFILE = ["model", "stiffness", ("distance", "distance from the clamp", "", "cm"),
@@ -124,29 +128,9 @@ def profile(run):
     return line[clamp:, [0, 2]] - line[clamp, [0, 2]]
 
 
-def elastica(weight, length, rigidity, points=400):
-    """(points, 2) side view in m of a heavy strip that is clamped horizontally. `weight` in N/m².
-
-    D θ'' + w (L - s) cos θ = 0 with θ(0) = 0, θ'(L) = 0, by shooting and bisection.
-    """
-    s, load = np.linspace(0, 1, points), weight * length**3 / rigidity
-
-    def shoot(slope):
-        step, theta, angles = s[1], 0.0, [0.0]
-        for at in s[:-1]:  # midpoint rule
-            middle = theta + step / 2 * slope
-            bend = slope - step / 2 * load * (1 - at) * np.cos(theta)
-            theta, slope = theta + step * bend, slope - step * load * (1 - at - step / 2) * np.cos(middle)
-            angles.append(theta)
-        return slope, np.array(angles)
-
-    low, high = 0.0, 3 * np.sqrt(2 * load) + load
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (low, middle) if shoot(middle)[0] > 0 else (middle, high)
-    theta = shoot(low)[1]
-    mean = (theta[1:] + theta[:-1]) / 2
-    return length * np.c_[np.r_[0, np.cumsum(np.cos(mean))], -np.r_[0, np.cumsum(np.sin(mean))]] * s[1]
+def heavy_strip(weight, length, rigidity):
+    """(points, 2) side view in m of a heavy strip that is clamped horizontally. `weight` in N/m²."""
+    return length * elastica([weight * length**3 / rigidity])[:, :, 0] * [1, -1]
 
 
 def _profiles(runs):
@@ -168,8 +152,8 @@ def _truth(runs):
     free = x[-1] - np.round(run.rest_positions[run.pinned, 0], 6).max()
     gravity = -run.config["effects"][0]["acceleration"][2]
     # The hinges on the edge of the clamp bend, too. So the effective clamp ends half a row before this edge.
-    return elastica(run.get("/material/density") * gravity, free + (x[1] - x[0]) / 2,
-                    1 / run.get("/bending/compliance"))
+    return heavy_strip(run.get("/material/density") * gravity, free + (x[1] - x[0]) / 2,
+                       1 / run.get("/bending/compliance"))
 
 
 def strip_title(runs):

@@ -4,15 +4,15 @@ promise of equal stiffness is measured on strips (promise_strip.py).
 The rows: crossover springs with the pin alone, the paper's adaptive springs with the pin and its 1-ring, and
 the recommended settings with the pin alone. All sheets hang in one medium for 4 s, and most then are at rest.
 """
-import re
-
 import numpy as np
 
 from bendlab.results.load import group, select
 from draw import cloth, frames
+from figures.accuracy.measures import cost
+from runs.strips import cells as cells_of
 from runs.sweeps import used_runs
 from tables.numbers import number
-from tables.section import Claim, Table
+from tables.section import Claim, Table, address
 
 SCENES = {"one corner": ["upper_right"], "two corners": ["upper_left", "upper_right"], "curtain": ["top"]}
 OURS, PAPER, CROSSOVER = "recommended", "paper's adaptive", "crossover"
@@ -61,21 +61,12 @@ def main(results, out, section):
     section.claims += [_sound_claim(ours, corner), _cost_claim(ours, floor)]
 
 
-def address(name):
-    """The id of a row of pictures in the page."""
-    return re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")
-
-
 def _in_scene(runs, scene):
     return [run for run in runs if run.get("/pins/vertices") == SCENES[scene]]
 
 
-def _cells(run):
-    return run.get("/mesh/cells")
-
-
 def _by_cells(runs):
-    return {_cells(run): run for run in sorted(runs, key=_cells)}
+    return {cells_of(run): run for run in sorted(runs, key=cells_of)}
 
 
 def _sheet(samples, camera, metric, out, picture):
@@ -102,15 +93,9 @@ def _drop_ratio(runs, scene):
     return max(drops) / min(drops) - 1 if drops and np.isfinite(drops).all() else np.nan
 
 
-def ms_per_frame(run):
-    """CPU time of the steps per frame of 1/60 s, in ms."""
-    time = run.metrics["time"]
-    return 1e3 * run.step_cpu_s / (60 * time[-1]) if len(time) and time[-1] > 0 else np.nan
-
-
 def _least_ms(runs, n):
     """The least CPU time per frame of all scenes with n cells, in ms. (Other programs can only add time.)"""
-    return min((ms_per_frame(run) for run in runs if _cells(run) == n), default=np.nan)
+    return min((cost(run) for run in runs if cells_of(run) == n), default=np.nan)
 
 
 def _goals_table(ours, floor, rounded):
@@ -128,7 +113,7 @@ def _goals_table(ours, floor, rounded):
     for n in TIMED:
         paper_ms, our_ms, rounded_ms = (_least_ms(runs, n) for runs in (floor, ours, rounded))
         rows += [(f"CPU time per frame, N = {n} (least of the scenes), ms", paper_ms, our_ms, paper_ms),
-                 (f"CPU time per frame, m rounded to the nearest, N = {n}, ms", rounded_ms)]
+                 (f"CPU time per frame, m rounded to the nearest, N = {n}, ms", rounded_ms, None, None)]
     return Table.of(
         "promise", "The demands of the promise, for one corner, two corners and the curtain, on every N",
         [("what", "demand"), ("paper", "the paper's adaptive springs"), ("ours", "recommended"),
@@ -149,11 +134,11 @@ def _iterations_table(runs):
 
 def _numbers_table(id, runs, name):
     rounding = lambda run: run.get("/bending/adaptive/m_rounding", "–")
-    rows = [{"scene": scene, "rounding": rounding(run), "N": _cells(run), "drop": run.summary.get("drop"),
-             "ms": ms_per_frame(run), "status": run.status}
+    rows = [{"scene": scene, "rounding": rounding(run), "N": cells_of(run), "drop": run.summary.get("drop"),
+             "ms": cost(run), "status": run.status}
             | {metric: _worst([run], metric, offset) for metric, offset, *_ in METRICS}
             for scene in SCENES
-            for run in sorted(_in_scene(runs, scene), key=lambda run: (rounding(run), _cells(run)))]
+            for run in sorted(_in_scene(runs, scene), key=lambda run: (rounding(run), cells_of(run)))]
     return Table.of(id, f"Each run: {name}", [
         "scene", ("rounding", "m by"), "N", *COLUMNS, ("drop", "drop", ".3f", "m"),
         ("ms", "CPU time per frame", ".2f", "ms"), ("status", "verdict")], rows)
@@ -171,7 +156,7 @@ def _sound_claim(ours, corner):
     holds = all(value <= bound for value, (*_, bound, _) in zip(numbers.values(), METRICS) if bound)
     numbers |= {f"{name.split()[-1]}, one corner, N = 128: stretch − 1 anywhere, at rest":
                 _worst([runs[128]] if 128 in runs else [], "max_stretch", 1) for name, runs in corner.items()}
-    cells = sorted(map(_cells, ours)) or [0]
+    cells = sorted(map(cells_of, ours)) or [0]
     return Claim("5", "Cloth fails neither at a pin nor elsewhere if its mesh is refined (the paper's "
                  "promise, with our recommended settings).", f"at rest, in the three scenes on {cells[0]} to "
                  f"{cells[-1]} cells, no stretch − 1 is above 0.3 and no mean strain above 0.02", numbers,

@@ -9,9 +9,10 @@ rigidity depends on substeps / N² alone.
 import numpy as np
 
 from bendlab.results.load import group
-from figures.paper.promise import ms_per_frame
+from figures.accuracy.measures import cost
 from runs import strips
 from runs.sweeps import used_runs
+from tables.numbers import number_text
 from tables.section import Claim
 
 GOAL = 1.05  # largest stiffness over smallest, for N = 12 to 96
@@ -23,19 +24,20 @@ def main(results, out, section):
     projected = used_runs(section, results, "paper/strip_substeps", "paper/strip_substeps_full")
     runs = [*sorted(ours, key=lambda run: (-run.get("/solver/membrane_error"), strips.cells(run))),
             *sorted(projected, key=lambda run: (run.get("/solver/substeps"), strips.cells(run)))]
-    shares = {solver: {strips.cells(run): _share(run) for run in own_runs}
+    shares = {solver: {strips.cells(run): strips.share_of_droop(run) for run in own_runs}
               for solver, own_runs in group(runs, _solver).items()}
     section.add_table(
         "strips", "Share of the stated rigidity",
         ["solver", ("N", "cells along the strip, N"), ("measured", "measured over stated rigidity"),
          ("estimated", "estimate of the program"), ("ms", "CPU time per frame", "", "ms")],
-        [(_solver(run), strips.cells(run), _share(run), strips.number(run, "effective_bending_stiffness"),
-          ms_per_frame(run)) for run in runs])
+        [(_solver(run), strips.cells(run), strips.share_of_droop(run),
+          strips.number(run, "effective_bending_stiffness"), cost(run)) for run in runs])
     if shares:
+        stated = ", ".join(number_text(rigidity, 1) for rigidity in sorted(set(map(strips.stated, runs))))
         section.add_chart(
             "strips", _title(shares), "N", ["measured", "estimated"], ["solver"], id="promise_strip",
             scale="log2", y_scale="log", look="", limits=strips.as_stated("measured"),
-            note="Measured flexural rigidity over the stated rigidity of 10⁻⁵ N m; and the program's "
+            note=f"Measured flexural rigidity over the stated rigidity of {stated} N m; and the program's "
             "estimate of this ratio for projections (effective_bending_stiffness).")
     section.claims += [_claim(shares), _scaling_claim(projected)]
 
@@ -44,11 +46,6 @@ def _solver(run):
     if run.method == "pbd":
         return f"{run.get('/solver/substeps')}{PROJECTED}"
     return DEFAULTS if run.get("/solver/membrane_error") == 0.01 else f"{DEFAULTS}, membrane_error 0.001"
-
-
-def _share(run):
-    """Measured rigidity over the stated rigidity."""
-    return strips.rigidity(run) / run.get("/bending/flexural_rigidity")
 
 
 def _title(shares):
@@ -65,7 +62,7 @@ def _title(shares):
 
 def _claim(shares):
     """`shares`: {solver: {N: measured share of the stated rigidity}}"""
-    spreads = {solver: _largest_ratio(by_cells.values()) for solver, by_cells in shares.items()}
+    spreads = {solver: strips.largest_ratio(by_cells.values()) for solver, by_cells in shares.items()}
     numbers = {f"largest rigidity over smallest, {solver}": spread for solver, spread in spreads.items()}
     numbers["smallest share of the stated rigidity, the defaults"] = min(
         shares.get(DEFAULTS, {}).values(), default=np.nan)
@@ -77,15 +74,10 @@ def _claim(shares):
                  "with the defaults", numbers, None if np.isnan(spread) else bool(spread <= GOAL))
 
 
-def _largest_ratio(shares):
-    """Largest share over smallest share. NaN if a strip was not measured, or for fewer than two."""
-    return max(shares) / min(shares) if len(shares) > 1 and np.isfinite(list(shares)).all() else np.nan
-
-
 def _scaling_claim(runs):
     """How much the shares of strips with equal substeps / N² differ."""
     of_ratio = group(runs, lambda run: run.get("/solver/substeps") / strips.cells(run)**2)
-    ratios = [_largest_ratio([*map(_share, own_runs)]) for own_runs in of_ratio.values()]
+    ratios = [strips.largest_ratio(map(strips.share_of_droop, own_runs)) for own_runs in of_ratio.values()]
     pairs = [ratio for ratio in ratios if not np.isnan(ratio)]
     worst = max(pairs, default=np.nan) - 1
     return Claim("5, ours", "With projections, the share of the stated rigidity that a strip has depends on "

@@ -10,7 +10,7 @@ from draw import cloth, render, style
 from runs import obstacles
 from runs.sweeps import load_experiment
 from tables.looks import model_name
-from tables.numbers import number
+from tables.numbers import evenly, number
 from tables.table import Table
 
 # The picture of a scene: time in s, colour of the fabric (sRGB), and direction of the eye in degrees.
@@ -24,7 +24,7 @@ SCENES = {
     "folded_stack": View(1.2, (0.86, 0.66, 0.32), -72, 16),
     "chair": View(4.0, (0.80, 0.50, 0.36), -56, 22),
 }
-LOOKS = 40  # number of frames in which the distance of a cloth from its obstacles is measured
+LOOKS = 40  # most frames in which the distance of a cloth from its obstacles is measured
 ASPECT, WIDTH = 1.15, 460  # of a picture; the width in pixels
 DPI = 125  # so that the picture has less than 900 kB
 
@@ -118,12 +118,13 @@ def title(experiments):
     complete = [(name, run) for name, run in runs if run.complete]
     if not complete:
         return f"None of {len(runs)} runs is complete"
-    needles = sum(run.summary.get("degenerate_triangles", 0) > 0 for _, run in complete)
+    needles = [run.summary["degenerate_triangles"] > 0 for _, run in complete
+               if "degenerate_triangles" in run.summary]
     entered = sum(clearance(run, [run.frames - 1]) < 0 for _, run in complete)
     name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
     return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
-            f"are complete\nLast frame: degenerate triangles in {needles} runs, cloth inside obstacles in "
-            f"{entered} runs\nLargest stretch, median of the last second: "
+            f"are complete\nLast frame: degenerate triangles in {sum(needles)} of {len(needles)} runs, cloth "
+            f"inside obstacles in {entered} of {len(complete)}\nLargest stretch, median of the last second: "
             f"{number(worst.summary['max_stretch'])} ({name.replace('_', ' ')}, {model_name(worst.model)})")
 
 
@@ -131,11 +132,11 @@ def _table(experiments):
     metrics = [("mean_strain", "mean strain"), ("max_stretch", "max σ₁"),
                ("worst_stretch", "worst σ₁ of all frames")]
     rows = [{"scene": name, "model": run.model, "status": run.status,
-             "clearance": 1e3 * clearance(run, range(0, run.frames, max(1, run.frames // LOOKS))),
-             "cpu": run.cpu_s, "degenerate": run.summary.get("degenerate_triangles", 0)}
+             "clearance": 1e3 * clearance(run, evenly(run.frames, LOOKS)),
+             "cpu": run.cpu_s, "degenerate": run.summary.get("degenerate_triangles")}
             | {metric: run.summary.get(metric) for metric, _ in metrics}
             for name, experiment in experiments.items() for run in experiment.runs]
     return Table.of("scenes", "Every run", [
         "scene", "model", ("status", "verdict"), *metrics, ("degenerate", "degenerate triangles", ".0f"),
-        ("clearance", f"smallest distance from an obstacle, {LOOKS} frames", ".1f", "mm"),
+        ("clearance", f"smallest distance from an obstacle, at most {LOOKS} frames", ".1f", "mm"),
         ("cpu", "processor time", ".1f", "s")], rows)

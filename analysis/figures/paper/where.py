@@ -76,7 +76,7 @@ def falling_title(cases):
     """The stretches at COMPARED cells with the 1-ring pinned, as text."""
     crossover, adaptive = (cases[case].get(COMPARED) for case in (MENDED, ADAPTIVE))
     if not crossover or not adaptive:
-        return ""
+        return "The largest stretch over the distance from the pin"
     two = lambda s: number(s.median, 2)
     return (f"With the 1-ring pinned, N = {COMPARED}: at the pin (within {NEAR:g} cells) adaptive springs "
             f"have a stretch − 1 of {two(adaptive.near)}, crossover springs {two(crossover.near)}. Farther "

@@ -17,7 +17,7 @@ def main(bench, out, section):
     section.add_chart(
         Table.of("threads", "A step by threads", [
             "precision", "threads", ("vertices", "vertices", ",d"), ("ms", "time per step", "", "ms"),
-            ("gain", "times as fast as one thread")],
+            ("gain", "times as fast as one thread"), ("name", "threads", "", "", "", False)],
             [shown(row, gain(series, row)) for series in steps.values() for row in series]),
         title(steps), "name", ["ms", "gain"], ["precision"], scale="band", y_scale="linear", look="",
         note="The step has strain and crossover springs. On one thread, times are processor times. On "

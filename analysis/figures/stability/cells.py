@@ -1,5 +1,4 @@
 """Verdicts of the hard cases with every bending model, and pictures of runs that failed."""
-import re
 import textwrap
 
 import matplotlib.pyplot as plt
@@ -12,6 +11,7 @@ from runs.stability_cases import CASES, FOLDER, GREEN, RED, SECTIONS, judge
 from runs.stability_reasons import explain
 from runs.sweeps import load_experiment
 from tables.numbers import number, rounded, unit_text
+from tables.section import address
 
 # Sizes in pixels: picture, text above, text below, gap, colour bar
 STILL, HEAD, FOOT, GAP, BAR = 220, 49, 40, 14, 64
@@ -45,8 +45,7 @@ def as_json(cell):
 def id_of(run):
     """The address of a run in the page, for example start-creased.adaptive.single; `run` is a JSON object. If
     the run states a solver method, the method replaces the precision."""
-    words = lambda text: re.sub(r"[^a-z0-9]+", "-", text.lower()).strip("-")
-    return f"{words(run['case'])}.{run['model']}.{words(run.get('method') or run['precision'])}"
+    return f"{address(run['case'])}.{run['model']}.{address(run.get('method') or run['precision'])}"
 
 
 def cells_of(results, section, cases, folder, key_of):

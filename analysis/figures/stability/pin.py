@@ -112,8 +112,8 @@ def main(results, out, section):
 
 def _frames(stories):
     """A table of stretch, shape and correction in every other frame."""
-    rows = [{"model": story.model, "remedy": story.remedy, "time": time, "stretch": max(stretch, 1e-3),
-             "ratio": ratio, "correction": max(correction, 1e-3)}
+    rows = [{"model": story.model, "remedy": story.remedy, "time": time, "stretch": max(stretch, 0),
+             "ratio": ratio, "correction": max(correction, 0)}
             for story in sorted(stories, key=lambda story: (story.remedy != PUBLISHED, story.remedy))
             for time, stretch, ratio, correction in zip(
                 story.time[::2], story.stretch[::2], story.ratio[::2], story.correction[::2])]

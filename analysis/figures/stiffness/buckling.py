@@ -16,6 +16,7 @@ CRITICAL = {"hinges": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.3
 POISSON = {"hinges": "−1/3", "springs that push": "1/3"}
 NEAR = 1.1  # times the critical load; above this load the linear theory is not exact
 NOTICEABLE = 1e-3  # of the length; a sheet with a larger deflection has buckled
+pull = lambda run: strips.gravity(run, axis=1)  # in the strip's plane, in m/s²
 
 
 def main(results, out, section):
@@ -69,11 +70,6 @@ def _lengths(run):
     level = run.get(f"/bending/{run.model}/t") if registry.is_prestressed(run.model) else None
     behind = row * level / 4 if level else row / 2
     return free + behind, np.ptp(rest[:, 1])
-
-
-def pull(run):
-    """Gravity in the strip's plane, in m/s²."""
-    return -run.get("/effects/0/acceleration")[1]
 
 
 def load_number(run):

@@ -92,7 +92,7 @@ def _add_membrane(section, runs):
         rows)
     shares = {mesh: [row["share"] for row in own_rows]
               for mesh, own_rows in group(rows, lambda row: row["mesh"]).items()}
-    ranges = ", ".join(f"{mesh} {min(own):.2f} to {max(own):.2f}" for mesh, own in shares.items())
+    ranges = ", ".join(f"{mesh} {span(own)}" for mesh, own in shares.items())
     section.add_chart(
         "membrane", f"The membrane reduces or increases the stiffness. Measured over stated: {ranges}",
         "alpha", ["share", "share_droop"], ["model", "cells"], held=["mesh"],
@@ -170,11 +170,12 @@ def _ratios(runs, rule, name_of, value):
     """Rows: largest over smallest stiffness of each model on each kind of mesh."""
     rows, groups = [], group(sorted(runs, key=name_of), lambda run: (name_of(run), strips.family(run)))
     for (model, family), own_runs in groups.items():
+        own_runs = [run for run in own_runs if np.isfinite(value(run))]
         values = list(map(value, own_runs))
         exponents = [p for run in own_runs if np.isfinite(p := strips.fit(run, "exponent"))]
         stated = rule == RULES[0]
         rows.append({"name": model, "rule": rule, "family": family, "mesh": strips.MESH_NAMES[family],
                      "cells": strips.cells_range(own_runs), "ratio": strips.largest_ratio(values),
-                     "share": (min(values), max(values)) if stated else None,
+                     "share": (min(values), max(values)) if stated and values else None,
                      "p": (min(exponents), max(exponents)) if stated and exponents else None})
     return [row for row in rows if np.isfinite(row["ratio"]) and row["name"] != "none"]

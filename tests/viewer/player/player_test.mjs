@@ -198,6 +198,7 @@ const tests = {
       await page.keyboard.press("ArrowLeft");
       assert.equal(await time(), 0);
       await page.keyboard.press("Space");
+      assert.equal(await page.getByLabel("Pause").getAttribute("title"), "Pause (Space)");
       await until(page, `${PLAYER}.time > 0.3`);
       await page.keyboard.press("Space");
       const stopped = await time();
@@ -437,8 +438,15 @@ const tests = {
       await page.locator(".player-view").first().focus();
       await page.keyboard.press("?");
       assert.match(await page.locator("dialog[open]").textContent(), /play, pause/);
+      await page.keyboard.press("g");
+      assert.equal(await page.evaluate(`${PLAYER}.lines`), true, "keys act outside their list");
+      await page.evaluate(`${PLAYER}.pickNumber("vertex", 3)`);
       await page.keyboard.press("Escape");
       await until(page, "!document.querySelector('dialog[open]')");
+      assert.equal(await page.evaluate(`${PLAYER}.hasPick()`), true, "Escape closes the list alone");
+      await page.locator(".player-panel .scroll").focus();
+      await page.keyboard.press("ArrowRight");
+      assert.equal(await page.evaluate(`${PLAYER}.time`), 0, "arrows scroll the values");
       await page.locator(".player-view").first().focus();
       await page.keyboard.press("v");
       await page.keyboard.type("2");

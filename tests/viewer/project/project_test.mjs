@@ -116,6 +116,12 @@ const tests = {
     }
   },
 
+  async "at the width of a tablet, no element is off the screen"() {
+    await everywhere({ width: 820 }, async (page, name) => {
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 820, name);
+    });
+  },
+
   async "on a phone, no element is off the screen, and verdicts are cards"() {
     await everywhere({ width: 420, height: 900, touch: true }, async (page, name) => {
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 420, name);
@@ -135,10 +141,15 @@ const tests = {
     await everywhere({ dark: true, width: 800 }, async (page, name) => {
       await page.emulateMedia({ media: "print", colorScheme: "dark" });
       assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 800, `${name} is cut off`);
-      const shown = await page.$$eval(".bar, .button, .filters, .site nav", (all) =>
+      const shown = await page.$$eval("header.bar, .button, .filters, .site nav", (all) =>
         all.filter((element) => element.getClientRects().length).map((element) => element.className),
       );
       assert.deepEqual(shown, [], name);
+      await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+      const bars = await page.$$eval("rect.bar", (all) => all.map((bar) => getComputedStyle(bar).display));
+      assert.ok(bars.every((display) => display !== "none"), name);
+      assert.equal(await page.locator("svg.picture:not([width='680'])").count(), 0, name);
+      assert.equal(await page.locator(".legend.beside").count(), 0, name);
       const [ground, text] = await page.evaluate(() => {
         const style = getComputedStyle(document.body);
         return [style.backgroundColor, style.color];
@@ -172,6 +183,51 @@ const tests = {
       }
       assert.ok(visited.size >= 20, `${name}: ${visited.size}`);
     });
+  },
+
+  async "a chart draws every point, and says which keys it knows"() {
+    await everywhere({}, async (page, name) => {
+      await page.$$eval("details", (all) => all.forEach((details) => details.setAttribute("open", "")));
+      await page.waitForTimeout(500);
+      const wrong = await page.$$eval("figure.chart.drawn", (figures) =>
+        figures.flatMap(({ chart }) => {
+          const { id, title, series, rows, joined } = chart.chart;
+          const label = chart.plot.getAttribute("aria-label").replace(title, "");
+          const runs = (rows ?? series).some(({ run, runs }) => run || runs?.flat().length);
+          const wrong = [
+            label.includes("Enter") !== runs && "Enter",
+            label.includes("zoom") !== (!rows && !chart.bands) && "zoom",
+          ];
+          if (rows) return wrong.filter(Boolean).map((text) => `${id}: ${text}`);
+          const points = chart.shown.flatMap(({ series, points }) => (series.line ? [] : points));
+          const least = chart.value.scale.domain()[0];
+          if (chart.bands || !joined) wrong.push(points.some((p) => !p.drawn) && "a point without a mark");
+          const marked = points.filter((p) => p.drawn?.classList.contains("mark"));
+          wrong.push(chart.state.log && marked.some((p) => p.y < least) && "a false mark");
+          return wrong.filter(Boolean).map((text) => `${id}: ${text}`);
+        }),
+      );
+      assert.deepEqual(wrong, [], name);
+    });
+  },
+
+  async "names of categories are whole on a phone, and stay when all series are hidden"() {
+    await withPage("paper/", { width: 390, height: 900 }, async (page) => {
+      await page.locator("figure[data-chart=ablations]").scrollIntoViewIfNeeded();
+      await page.waitForSelector("figure[data-chart=ablations] .category");
+      const names = await page.locator("figure[data-chart=ablations] .category").allTextContents();
+      assert.ok(names.length > 50 && names.every((text) => !text.endsWith("…")), names.join("; "));
+    });
+    await withPage("accuracy/", {}, async (page) => {
+      const figure = page.locator("figure[data-chart=levels]");
+      await figure.scrollIntoViewIfNeeded();
+      for (const name of await figure.locator(".series-name").all()) await name.click();
+      assert.ok((await figure.locator(".category").count()) > 5);
+    });
+  },
+
+  async "a malformed address changes nothing"() {
+    await withPage("accuracy/", {}, (page) => page.waitForSelector("svg.picture"), "#run-100%");
   },
 
   async "Enter on a cell opens its run: worst metric, limit, config and command"() {
@@ -231,6 +287,9 @@ const tests = {
       await share.locator("button").click();
       assert.match(await page.textContent("dialog.run header"), new RegExp(`1 of ${count}\\b`));
       assert.ok(count > 1);
+      await page.getByLabel("The next run").focus();
+      for (let i = 1; i < count; ++i) await page.keyboard.press("Enter");
+      assert.equal(await page.evaluate(() => document.activeElement.textContent), "Close");
       await page.keyboard.press("Escape");
     });
   },
@@ -304,9 +363,10 @@ const tests = {
     let href;
     await withPage("", {}, async (page) => {
       await page.getByLabel("My cloth").selectOption({ index: 1 });
-      await page.getByLabel("Cells along the width").fill("12");
+      await page.getByLabel("Cells along its width").fill("12");
       await page.getByLabel("Error or time").fill("2");
       const answer = await page.textContent(".chosen .answer");
+      assert.equal(await page.textContent(".chosen [role=status]"), answer);
       const { method, substeps, iterations } = best.settings;
       assert.ok(answer.startsWith(`${best.model} by ${method} on 12 cells, ${substeps} × ${iterations}`), answer);
       const read = parseFloat(answer.match(/: ([\d.]+) %/)[1]);
@@ -319,11 +379,14 @@ const tests = {
       assert.equal(await page.locator(".chosen .note").count(), 0);
       await page.getByLabel("Its mesh is").selectOption({ index: 2 });
       assert.match(await page.textContent(".chosen"), /Accuracy was not measured on irregular/);
-      await page.getByLabel("Cells along the width").fill("100");
+      await page.getByLabel("Cells along its width").fill("100");
       assert.match(await page.textContent(".chosen"), /Nothing was measured on 100 cells/);
-      await page.getByLabel("Cells along the width").fill("0");
-      assert.match(await page.textContent(".chosen"), /^Cells along the width: give a number of at least 1\.$/);
-      await page.getByLabel("Cells along the width").fill("12");
+      await page.getByLabel("Cells along its width").fill("0");
+      const problem = /^Cells along its width: give a number of at least 1\.$/;
+      assert.match(await page.textContent(".chosen"), problem);
+      const described = await page.getByLabel("Cells along its width").getAttribute("aria-describedby");
+      assert.match(await page.textContent(`#${described}[role=status]`), problem);
+      await page.getByLabel("Cells along its width").fill("12");
       await page.getByLabel("Error or time").fill("0.000001");
       assert.match(await page.textContent(".chosen .answer"), /No measured run comes within/);
     });

@@ -96,6 +96,14 @@ const tests = {
         compared.add(key);
       }
       assert.ok(compared.size >= 3, `${[...compared]}`);
+      await page.mouse.down({ button: "right" });
+      await page.mouse.up({ button: "right" });
+      assert.equal(await page.locator("dialog[open]").count(), 0);
+      const bars = page.locator("figure[data-chart=s1-passes]");
+      await bars.locator(".plot").press("ArrowDown");
+      assert.equal(await bars.locator(".tip").isVisible(), true);
+      await page.keyboard.press("Escape");
+      assert.equal(await bars.locator(".tip").isVisible(), false);
     });
   },
 
@@ -250,8 +258,8 @@ const tests = {
       );
       assert.deepEqual(missed, []);
       const visible = await page.evaluate(() => {
-        document.querySelector(".plot").focus();
-        return getComputedStyle(document.querySelector(".filters input")).outlineStyle !== null;
+        const { outlineStyle, outlineWidth } = getComputedStyle(document.activeElement);
+        return outlineStyle !== "none" && parseFloat(outlineWidth) > 0;
       });
       assert.ok(visible);
       await page.locator("figure[data-chart='s1-against-1'] .plot").focus();
@@ -260,6 +268,62 @@ const tests = {
       assert.ok(await page.locator("figure[data-chart='s1-against-1'] .tip:visible").count());
       await page.keyboard.press("Enter");
       assert.match(await page.textContent("dialog.run header"), /1 of 3/);
+    });
+  },
+
+  async "keys choose runs on the lines, and groups"() {
+    await withPage({}, async (page) => {
+      const counted = () => page.textContent("#explorer .tools output");
+      const handle = page.locator("#explorer .handle").last();
+      assert.equal(await page.getAttribute("#explorer .parallel svg", "role"), "group");
+      assert.match(await handle.getAttribute("aria-valuetext"), /^all, \d/);
+      await handle.focus();
+      for (const key of ["ArrowDown", "ArrowDown", "ArrowRight"]) await page.keyboard.press(key);
+      assert.equal(await counted(), "24 of 27 runs");
+      assert.match(await handle.getAttribute("aria-valuetext"), /^\d\S* to \d/);
+      const groups = page.locator("#explorer tbody button");
+      assert.equal(await page.locator("#explorer tbody [aria-pressed=true]").count(), 0);
+      await groups.nth(1).focus();
+      await page.keyboard.press("Enter");
+      assert.equal(await counted(), "9 of 27 runs");
+      assert.match(await handle.getAttribute("aria-valuetext"), /^all/);
+      assert.equal(await groups.nth(1).evaluate((button) => button === document.activeElement), true);
+      await groups.nth(2).press("Enter");
+      assert.equal(await counted(), "18 of 27 runs");
+      const pressed = await groups.evaluateAll((all) => all.map((button) => button.ariaPressed));
+      assert.deepEqual(pressed, ["false", "true", "true"]);
+      await handle.press("ArrowUp");
+      await handle.press("ArrowDown");
+      assert.equal(await counted(), "26 of 27 runs");
+      await page.click("#explorer summary");
+      await page.locator("#explorer .choices input:checked").last().uncheck();
+      assert.equal(await counted(), "27 runs", "a line that is no longer shown chooses no runs");
+    });
+  },
+
+  async "a chart of the explorer has a number above an axis, and goes when another is drawn"() {
+    await withPage({}, async (page) => {
+      const [numbers, all] = await page.$$eval("#explorer .tools select", (lists) =>
+        lists.slice(1).map((list) => [...list.options].map((option) => option.text)),
+      );
+      assert.ok(!numbers.includes("model") && all.includes("model"));
+      const listeners = await page.evaluate(() => {
+        let count = 0;
+        for (const [name, by] of [["addEventListener", 1], ["removeEventListener", -1]]) {
+          const own = document[name];
+          document[name] = (type, ...more) => {
+            count += type === "bendlab:chosen" ? by : 0;
+            own.call(document, type, ...more);
+          };
+        }
+        const list = [...document.querySelectorAll("#explorer .tools select")].at(-1);
+        for (let i = 0; i < 5; ++i) {
+          list.selectedIndex = i;
+          list.dispatchEvent(new Event("change"));
+        }
+        return count;
+      });
+      assert.equal(listeners, 0);
     });
   },
 
@@ -317,6 +381,17 @@ const tests = {
     });
   },
 
+  async "the player first shows the runs that the text names, under labels that tell all runs apart"() {
+    await withPage({}, async (page) => {
+      await page.waitForSelector(".player[data-decoded]");
+      const labels = await page.$$eval("main .player-name", (names) => names.map((name) => name.textContent));
+      assert.equal(labels.length, 3);
+      assert.equal(await page.textContent(".player-runs summary"), `3 of ${expected.count} runs shown`);
+      const all = await page.$$eval(".player-choices label", (boxes) => boxes.map((box) => box.textContent));
+      assert.equal(new Set(all).size, expected.count);
+    });
+  },
+
   async "a run can be compared with any other run"() {
     await withPage({}, async (page) => {
       const [first, , third] = await shownRows(page);
@@ -337,7 +412,8 @@ const tests = {
       await page.screenshot({ path: `${shots}/dark.png`, fullPage: true });
       await page.emulateMedia({ media: "print" });
       assert.equal(await ground(page), "rgb(255, 255, 255)");
-      assert.equal(await page.locator(".bar:visible, .filters:visible").count(), 0);
+      assert.equal(await page.locator("header.bar:visible, .filters:visible").count(), 0);
+      assert.ok(await page.locator("rect.bar:visible").count());
       await page.screenshot({ path: `${shots}/print.png`, fullPage: true });
     });
     await withPage({}, async (page) => {

@@ -14,6 +14,16 @@ import unittest
 from pathlib import Path
 from urllib.parse import urlparse
 
+import h5py
+
+from made import report_of, run_at, sweep_of
+
+from runs.axes import axes_of, label_of
+from runs.collected import separating
+from sweep import charts, run_facts
+from sweep.answer import top_html
+from sweep.run_table import RunTable, explorer
+
 PROGRAM = None
 SWEEP = {"name": "some", "description": "Few runs", "duration": 0.2, "mesh": {"cells": 4},
          "pins": {"vertices": ["upper_left"]}, "output": {"frames_per_second": 20},
@@ -123,7 +133,6 @@ class Report(Place):
             self.assertIn(f"./bendlab rerun {run['file']}", data["runs"][0]["command"])
 
     def test_expectations_agree_with_those_of_the_run_command(self):
-        sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
         from runs.collected import collect
         from runs.expectations import check
         sweep = collect([self.folder / "results/some"])[0]
@@ -205,9 +214,52 @@ class Report(Place):
         (self.folder / "empty").mkdir(exist_ok=True)
         self.assertIn("there are no runs in 'empty'", self.wrong("report", "empty"))
         (self.folder / "text").write_text("no run")
-        data, _ = self.page("text")  # the page states it, as for a folder of runs
-        self.assertEqual(data["runs"][0]["status"], "unreadable")
+        self.assertIn("text cannot be read as a run file: it is not an HDF5", self.wrong("report", "text"))
+        with h5py.File(self.folder / "foreign.h5", "w") as file:
+            file["a"] = 1
+        self.assertIn("it is an HDF5 file, but not a run file", self.wrong("report", "foreign.h5"))
         self.assertIn("RESULT is required", self.wrong("report"))
+
+    def test_the_error_of_a_damaged_sweep_file_names_the_file(self):
+        (self.folder / "bad").mkdir()
+        for text in ("not json", '{"experiment": 3}'):
+            (self.folder / "bad/bad.sweep.json").write_text(text)
+            self.assertIn("bad.sweep.json is not a sweep file", self.wrong("report", "bad/bad.sweep.json"))
+
+    def test_a_result_that_is_named_twice_is_shown_once(self):
+        data, text = self.page("results/some", "results/some/", self.runs[0]["file"], self.runs[0]["file"])
+        self.assertEqual(len(data["runs"]), 4)
+        self.assertNotIn("<th class='t choose'>sweep</th>", text)
+
+    def test_the_files_of_a_sweep_are_one_sweep(self):
+        data, _ = self.page(*(run["file"] for run in self.runs))
+        self.assertEqual([chart["x"]["name"] for chart in data["charts"][:2]],
+                         ["/mesh/cells", "/bending/model"])
+
+    def test_a_diverged_run_is_infinite_and_meets_no_expectation(self):
+        wild = {**SWEEP, "name": "wild", "solver": {"method": "pbd"}, "effects": [{"type": "gravity"}],
+                "sweep": {"/effects/0/acceleration": [[0, 0, -9.81], [0, 0, -1e30]]},
+                "expect": [{"metric": "mean_strain", "max": 1, "why": "cloth"}]}
+        (self.folder / "wild.json").write_text(json.dumps(wild))
+        self.run_program("run", "wild.json")
+        data, text = self.page("results/wild")
+        self.assertEqual(data["charts"][0]["series"][0]["y"]["mean_strain"][1], "∞")
+        self.assertEqual((data["runs"][1]["worst"]["value"], data["runs"][1]["worst"]["held"]), ("∞", False))
+        self.assertEqual(data["runs"][1]["summary"]["pinned_vertices"],
+                         data["runs"][0]["summary"]["pinned_vertices"])
+        self.assertIn("1 of 2 expectations hold", text)
+
+    def test_failed_runs_are_not_called_missing(self):
+        (self.folder / "flaws.json").write_text(json.dumps(
+            {"name": "flaws", "mesh": {"flaw": "duplicate_faces"}, "sweep": {"/mesh/cells": [4, 5]}}))
+        self.run_program("run", "flaws.json", "--out", "far off")
+        done = self.run_program("report", "far off/flaws", "-o", "page.html", "--x", "drop", "--y", "cpu_s")
+        self.assertIn("no chart is drawn of cpu_s against drop", done.stderr)
+        data, text = self.page("far off/flaws")
+        self.assertEqual([run["status"] for run in data["runs"]], ["failed", "failed"])
+        self.assertTrue(all(run["command"].endswith("--out 'far off'") for run in data["runs"]))
+        self.assertNotIn("id='explorer'", text)
+        self.assertNotIn("no sweep file lists", text)
 
     def test_the_error_of_a_page_that_cannot_be_written(self):
         (self.folder / "file").write_text("")
@@ -289,8 +341,86 @@ class View(Place):
         self.assertGreater(later["frames"], first["frames"])
         self.assertGreater(later["time"], first["time"])
         self.assertEqual(later["run"]["frames"]["recorded"], later["frames"])
+        run_file = next((self.folder / "results/long").glob("*/run.vtkhdf*.part"))
+        for result in ("results/long", run_file):
+            data, text = Place.page(self, result)
+            self.assertEqual(data["runs"][0]["status"], "running")
+            self.assertNotIn("no sweep file lists", text)
+        run.kill()
+        run.wait()
+        while later["status"] == "running" and time.monotonic() < until:
+            time.sleep(0.5)
+            later = json.loads(self.ask(address, f"{parts.path}frames")[1])
+        self.assertEqual(later["status"], "interrupted")
+        self.assertIn(b"The run was stopped.", self.ask(address)[1])
         server.send_signal(signal.SIGINT)
         self.assertEqual(server.wait(timeout=20), 130)
+
+
+class Made(unittest.TestCase):
+    """Pages of invented runs."""
+
+    def test_labels_name_values_that_do_not_explain_themselves(self):
+        objects = [[], [{"type": "gravity"}], [{"type": "gravity"}, {"type": "wind", "velocity": [0, 3, 0]}]]
+        axes = axes_of(sweep_of([], {"/effects": objects, "/mesh/jitter": [None, 0.1], "/a/on": [True, False],
+                                     "/bending/model": ["none", "lod"]}))[0]
+        self.assertEqual([axis.texts for axis in axes[:2]],
+                         [["none", "gravity", "gravity, wind, velocity 0 3 0"], ["absent", "0.1"]])
+        run = run_at({"/effects": [], "/mesh/jitter": None, "/a/on": True, "/bending/model": "none"})
+        self.assertEqual(label_of(run, axes), "none, effects none, jitter absent, on yes")
+
+    def test_the_chart_of_a_covering_array_begins_at_a_run(self):
+        axes = {"/mesh/cells": [4, 8], "/bending/model": ["lod", "none"], "/a": [1, 2, 3], "/b": [1, 2, 3]}
+        runs = [run_at(dict(zip(axes, values)), {"drop": values[0]})
+                for values in ((4, "lod", 1, 3), (8, "lod", 1, 3), (4, "none", 2, 1), (8, "none", 3, 2))]
+        chart = report_charts(sweep_of(runs, axes))[0]
+        self.assertEqual([held["at"] for held in chart["held"]], [0, 2])
+
+    def test_runs_with_different_seeds_are_counted(self):
+        axes = {"/mesh/cells": [4], "/a/seed": [1, 2, 3], "/b/seed": [1, 2, 3]}
+        runs = [run_at({"/mesh/cells": 4, "/a/seed": a, "/b/seed": b, "/x": x}, {"drop": a + b + x})
+                for a in (1, 2, 3) for b in (1, 2, 3) for x in (1, 2)]
+        chart = report_charts(sweep_of(runs, axes | {"/x": [1, 2]}))[0]
+        self.assertEqual(chart["note"], "Median and range over 9 runs with different seeds.")
+
+    def test_the_explorer_has_settings_that_differ_between_experiments(self):
+        one = sweep_of([run_at({"/mesh/cells": c}, {"drop": c}) for c in (4, 8)], {"/mesh/cells": [4, 8]})
+        other = sweep_of([run_at({}, {"drop": 1}, config={"bending": {"model": "lod"}, "mesh": {}})], {})
+        other.name = "other"
+        self.assertEqual(separating([*one.runs, *other.runs]), ["/bending/model", "/mesh/cells"])
+        made = explorer(report_of(one, other))
+        self.assertEqual([axis["texts"] for axis in made["axes"]], [["adaptive", "lod"], ["4", "8"]])
+        self.assertEqual(made["places"]["one"], [1, None])
+
+    def test_equal_metrics_are_in_the_table_but_not_in_charts(self):
+        runs = [run_at({"/mesh/cells": c}, {"springs": 68.0, "drop": 1 + 1e-5 * c}) for c in (4, 8)]
+        sweep = sweep_of(runs, {"/mesh/cells": [4, 8]})
+        report = report_of(sweep)
+        self.assertIn("data-v='68'>68</td>", RunTable(report).html())
+        self.assertIn("<b>1.0000</b> (cells 4) to <b>1.0001</b>", top_html(report))
+        self.assertEqual([number["name"] for number in charts.numbers_of(sweep)], ["drop"])
+
+    def test_a_missing_run_differs_in_its_point_and_not_in_defaults(self):
+        whole = [run_at({"/mesh/cells": c}, id=str(c)) for c in (4, 8)]
+        missing = run_at({}, status="missing", config={"mesh": {"cells": 5}})
+        settings = run_facts.Settings([*whole, missing])
+        self.assertEqual(settings.changes(missing), {"/mesh/cells": [5]})
+
+    def test_a_metric_that_the_run_lacks_is_not_infinite(self):
+        worst = run_facts.worst(run_at({}, {"drop": 1.0}), sweep_of([], {}, {"expect": [
+            {"metric": "other", "max": 1}]}))
+        self.assertEqual((worst["value"], worst["text"], worst["held"]), (None, "not measured", False))
+
+    def test_the_page_says_which_axes_it_leaves_out(self):
+        axes = {f"/axis_{i}": [1, 2] for i in range(9)}
+        runs = [run_at(dict.fromkeys(axes, value), {"drop": value}) for value in (1, 2)]
+        report = report_of(sweep_of(runs, axes))
+        self.assertIn("The table leaves out axis 8.", RunTable(report).html())
+        self.assertIn("No chart is drawn against axis 8.", next(report._against()).body)
+
+
+def report_charts(sweep):
+    return charts.axis_charts(sweep, axes_of(sweep)[0], charts.numbers_of(sweep), "", "s1-")
 
 
 if __name__ == "__main__":

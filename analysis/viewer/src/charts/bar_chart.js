@@ -2,14 +2,13 @@
 import { html, svg } from "../page/dom.js";
 import { openRuns } from "../page/data.js";
 import { number, titled, withUnit } from "../page/numbers.js";
-import { bottomAxis } from "./axes.js";
+import { bottomAxis, LINE } from "./axes.js";
 import { takeAway, toggle } from "./controls.js";
 import { Legend } from "./legend.js";
 import { paint } from "./look.js";
-import { axisScale, LEAST_WIDTH } from "./scales.js";
+import { axisScale, LEAST_WIDTH, NARROW } from "./scales.js";
 
-const ROW = 28,
-  NARROW = 560; // px
+const ROW = 28; // px
 
 export class BarChart {
   /** @param {HTMLElement} figure @param {Object} chart as in the page's data */
@@ -31,12 +30,13 @@ export class BarChart {
       },
       "Each bar as shares of its whole",
     );
+    const opens = chart.rows.some(({ runs }) => runs?.length) ? ", Enter opens the run" : "";
     this.plot = html("div", {
       class: "plot",
       role: "group",
       "aria-roledescription": "chart",
       tabindex: 0,
-      "aria-label": `${chart.title}. Arrow keys go from part to part, Enter opens the run.`,
+      "aria-label": `${chart.title}. Arrow keys go from part to part${opens}.`,
     });
     this.tip = html("div", { class: "tip", role: "status", hidden: true });
     figure.append(
@@ -50,19 +50,20 @@ export class BarChart {
   }
 
   draw() {
-    const width = this.plot.clientWidth;
+    const width = this.paper ?? this.plot.clientWidth;
     if (width < LEAST_WIDTH) return;
     const { rows, parts, x } = this.chart;
     const shown = parts.map((part) => !this.legend.hidden.has(part.label));
     const sums = rows.map((row) => sum(row.values.filter((_, i) => shown[i])));
     const above = width < NARROW,
-      pitch = above ? ROW + 14 : ROW,
+      pitch = above ? ROW + LINE : ROW,
+      top = x.rows ? 26 : 4,
       down = above ? 17 : 0;
     const left = above
       ? 4
       : Math.min(Math.max(...rows.map((row) => row.label.length)) * 7.2 + 14, width * 0.42);
-    const bottom = 8 + rows.length * pitch,
-      box = { left, right: width - 64, top: 4, bottom };
+    const bottom = top + 4 + rows.length * pitch,
+      box = { left, right: width - 64, top, bottom };
     const most = this.shares ? 1 : Math.max(...sums) || 1;
     const axis = axisScale("linear", [0, most], [left, box.right], null, 80);
     if (this.shares) axis.text = (share) => `${Math.round(100 * share)} %`;
@@ -70,11 +71,12 @@ export class BarChart {
     this.picture = svg(
       "svg",
       { class: "picture bars", width, height, viewBox: `0 0 ${width} ${height}` },
-      bottomAxis(axis, box, this.shares ? "share" : titled(x.label, x.unit), true),
+      bottomAxis(axis, box, [this.shares ? "share" : titled(x.label, x.unit)], true),
+      x.rows && svg("text", { class: "title", x: 0, y: 12 }, x.rows),
     );
     this.cells = [];
     rows.forEach((row, r) => {
-      const y = 8 + r * pitch + down,
+      const y = top + 4 + r * pitch + down,
         scale = this.shares ? 1 / (sums[r] || 1) : 1;
       const room = (above ? width : left) / 6.9;
       this.picture.append(
@@ -131,6 +133,7 @@ export class BarChart {
     else if (event.key === "ArrowDown") this.#point(row((this.pointed?.r ?? -1) + 1) ?? this.pointed);
     else if (event.key === "ArrowUp") this.#point(row((this.pointed?.r ?? 1) - 1) ?? this.pointed);
     else if (event.key === "Enter") this.#open(this.pointed);
+    else if (event.key === "Escape" && this.pointed) this.#point(null);
     else return;
     event.preventDefault();
   }

@@ -28,11 +28,8 @@ export function toggle(text, on, change, title) {
 
 /** Buttons for the data of a chart, and for the command that made the chart. */
 export function takeAway(chart) {
-  const parts = [
-    button("CSV", () => save(`${chart.id}.csv`, csvOf(chart), "text/csv;charset=utf-8"), {
-      title: "Save the data of this chart",
-    }),
-  ];
+  const csv = () => save(`${chart.id}.csv`, new Blob([csvOf(chart)], { type: "text/csv;charset=utf-8" }));
+  const parts = [button("CSV", csv, { title: "Save the data of this chart" })];
   if (chart.command) {
     const press = (event) => copy(chart.command, event.currentTarget);
     parts.push(button("Copy command", press, { title: chart.command }));

@@ -3,16 +3,17 @@ import { line } from "d3-shape";
 import { button, html, svg } from "../page/dom.js";
 import { titled } from "../page/numbers.js";
 import { isChosen, whenChosen } from "../page/selection.js";
-import { bottomAxis, leftAxis, topAxis } from "./axes.js";
+import { bottomAxis, leftAxis, LETTER, LINE, topAxis, wrapped, written } from "./axes.js";
 import { followPlayer } from "./clock.js";
 import { choice, takeAway, toggle } from "./controls.js";
 import { Legend } from "./legend.js";
 import { mark, paint } from "./look.js";
 import { Pointing } from "./pointing.js";
 import { shownPoints } from "./points.js";
-import { axisScale, extent, LEAST_WIDTH } from "./scales.js";
+import { axisScale, extent, LEAST_WIDTH, NARROW } from "./scales.js";
 
 const TALL = 430; // px. A taller chart has an axis above the plot, too, so that a screen shows an axis.
+const FAR = 80; // px; a name farther from the end of its curve has no line to the curve
 
 let made = 0;
 
@@ -31,7 +32,14 @@ export class LineChart {
     };
     this.#build();
     this.#startLog();
-    new ResizeObserver(() => this.draw()).observe(this.plot);
+    this.resizes = new ResizeObserver(() => this.draw());
+    this.resizes.observe(this.plot);
+  }
+
+  /** Ends what would keep the chart alive after its figure has another chart. */
+  dispose() {
+    this.resizes.disconnect();
+    this.ignoreChosen();
   }
 
   get y() {
@@ -87,12 +95,14 @@ export class LineChart {
       this.log,
       takeAway(chart),
     );
+    const opens = chart.series.some(({ run, runs }) => run || runs?.some((ids) => ids.length));
+    const keys = `point to point${opens ? ", Enter opens the run" : ""}${this.bands ? "" : ", + and - zoom"}`;
     this.plot = html("div", {
       class: "plot",
       tabindex: 0,
       role: "group",
       "aria-roledescription": "chart",
-      "aria-label": `${chart.title}. Arrow keys go from point to point, Enter opens the run, + and - zoom.`,
+      "aria-label": `${chart.title}. Arrow keys go from ${keys}.`,
     });
     this.meaning = html("p", { class: "meaning" });
     this.body = html(
@@ -103,7 +113,7 @@ export class LineChart {
     );
     this.figure.append(tools, this.body, this.meaning);
     this.pointing = new Pointing(this);
-    whenChosen(() => this.#markChosen());
+    this.ignoreChosen = whenChosen(() => this.#markChosen());
     if (chart.x.name === "time") followPlayer(this.figure, (time) => this.#markTime(time));
   }
 
@@ -118,30 +128,54 @@ export class LineChart {
     const share = (part) => all[Math.round(part * (all.length - 1))];
     this.log.disabled = !able;
     const least = share(all.length < 20 ? 0 : 0.05);
-    const wanted = this.chart.y_scale ? this.chart.y_scale === "log" : share(1) / least > 30;
-    this.state.log = able && least > 0 && wanted;
+    const { y_scale: stated } = this.chart;
+    this.state.log = able && (stated ? stated === "log" : least > 0 && share(1) / least > 30);
     this.log.setAttribute("aria-pressed", this.state.log);
   }
 
   draw() {
-    const width = this.plot.clientWidth;
+    const width = this.paper ?? this.plot.clientWidth;
     if (width < LEAST_WIDTH) return;
     const { chart } = this;
+    this.above = this.bands && width < NARROW;
     this.shown = shownPoints(chart, { ...this.state, hidden: this.legend.hidden });
     this.meaning.textContent = this.y.meaning ?? "";
     this.#findNeighbours();
-    const height = this.#height(width);
-    const beside = this.#isBeside(width, height);
-    const names = beside ? Math.min(this.legend.width + 34, width * 0.32) : 0;
+    const titles = [this.y, chart.x].map(({ label, unit }) =>
+      wrapped(titled(label, unit), (width - 40) / LETTER),
+    );
+    if (this.bands) titles.reverse();
+    const [upper, lower] = titles.map((lines) => LINE * (lines.length - 1)); // px of further lines
+    const bare = this.#height(width),
+      tall = this.bands && bare > TALL ? 36 + lower + (this.above ? LINE : 0) : 0; // px of the axis above
+    const limits = this.#ownLimits();
+    for (const limit of limits) limit.lines = wrapped(limit.text, width / LETTER / (this.bands ? 2 : 1));
+    const said = this.bands ? LINE * Math.max(0, ...limits.map(({ lines }) => lines.length - 1)) : 0;
+    const height = bare + tall + upper + lower + said;
+    const beside = !this.paper && this.#isBeside(width, height);
     const box = {
-      left: this.bands ? this.#categoryWidth(width) : 54,
-      right: width - names - 14,
-      top: this.bands && height > TALL ? 62 : 26,
-      bottom: height - 48,
+      left: this.above ? 8 : this.bands ? this.#categoryWidth(width) : 54,
+      right: width - (beside ? this.legend.width + 34 : 0) - 14,
+      top: 26 + upper + tall + said,
+      bottom: height - 48 - lower,
     };
     this.#scales(box);
     this.picture = svg("svg", { class: "picture", width, height, viewBox: `0 0 ${width} ${height}` });
-    this.picture.append(...this.#axes(box), ...this.#limits(box), this.#series(box));
+    const [lines, texts] = this.#limits(box);
+    const [value, place] = [this.value, this.place];
+    const axes = [
+      leftAxis(this.bands ? place : value, box, titles[0], this.above),
+      bottomAxis(this.bands ? value : place, box, titles[1], this.bands),
+    ];
+    if (this.bands) axes.reverse();
+    this.picture.append(
+      axes[0],
+      ...lines, // over the grid, below the names of categories
+      axes[1],
+      ...(tall ? [topAxis(value, box, titles[1], box.top - said - 20)] : []),
+      ...this.#series(box),
+      ...texts,
+    );
     if (!this.shown.length) {
       this.picture.append(
         svg(
@@ -166,9 +200,8 @@ export class LineChart {
 
   #height(width) {
     if (!this.bands) return Math.max(300, Math.min(430, width * 0.5));
-    const row = Math.max(27, 14 + this.#dodged() * (this.#hasRanges() ? 13 : 6));
-    const bare = Math.max(150, 74 + this.#categories().length * row);
-    return bare > TALL ? bare + 36 : bare;
+    const row = Math.max(27, 14 + this.#dodged() * (this.#hasRanges() ? 13 : 6)) + (this.above ? LINE : 0);
+    return Math.max(150, 74 + this.#categories().length * row);
   }
 
   #isBeside(width, height) {
@@ -177,6 +210,7 @@ export class LineChart {
       this.chart.legend !== false &&
       width >= 620 &&
       this.legend.buttons.size > 1 &&
+      this.legend.width + 34 <= 0.32 * width &&
       this.legend.fits(height - 74)
     );
   }
@@ -186,7 +220,7 @@ export class LineChart {
     const all = this.chart.x.categories.map((_, i) => i);
     if (!this.chart.held?.length) return all;
     const used = new Set(this.shown.flatMap(({ points }) => points.map((p) => p.x)));
-    return all.filter((i) => used.has(i));
+    return used.size ? all.filter((i) => used.has(i)) : all;
   }
 
   #categoryWidth(width) {
@@ -216,8 +250,7 @@ export class LineChart {
   #scales(box) {
     const { chart, state } = this;
     const everything = this.shown.flatMap(({ points }) => points);
-    const inside = ({ x }) => !state.zoom || (x >= state.zoom[0] && x <= state.zoom[1]);
-    const values = everything.filter(inside).flatMap((p) => [p.y, p.low, p.high]);
+    const values = everything.filter((p) => this.#isInside(p)).flatMap((p) => [p.y, p.low, p.high]);
     const data = [...values];
     for (const limit of this.#ownLimits()) {
       limit.near = this.#isNear(limit, data);
@@ -237,7 +270,8 @@ export class LineChart {
         this.#categories(),
         [box.top, box.bottom],
       );
-      this.place.text = (i) => shortened(chart.x.categories[i], box.left / 6.9);
+      const room = (this.above ? box.right : box.left) / 6.9;
+      this.place.text = (i) => shortened(chart.x.categories[i], room);
       return;
     }
     const kind = chart.x.scale,
@@ -254,15 +288,9 @@ export class LineChart {
     );
   }
 
-  #axes(box) {
-    const { chart, y } = this;
-    const values = titled(y.label, y.unit),
-      places = titled(chart.x.label, chart.x.unit);
-    if (this.bands) {
-      const across = [leftAxis(this.place, box, places), bottomAxis(this.value, box, values, true)];
-      return box.top > 40 ? [...across, topAxis(this.value, box, values)] : across;
-    }
-    return [leftAxis(this.value, box, values), bottomAxis(this.place, box, places, false)];
+  #isInside({ x }) {
+    const { zoom } = this.state;
+    return !zoom || (x >= zoom[0] && x <= zoom[1]);
   }
 
   #ownLimits() {
@@ -283,69 +311,67 @@ export class LineChart {
     return at <= high + room && at >= low - room;
   }
 
+  // The lines and the texts of limits. Texts are drawn after the curves, which would hide them.
   #limits(box) {
     let edge = 0;
-    return this.#ownLimits().map((limit) => {
+    const lines = [],
+      texts = [];
+    const write = (said, x, y, anchor) =>
+      texts.push(...written(said, { class: "limit", x, y, "text-anchor": anchor }));
+    for (const limit of this.#ownLimits()) {
+      const at = this.value.scale(limit.value);
       if (!limit.near) {
         const over = limit.value > this.value.scale.domain()[1];
+        const arrow = ` ${this.#arrows[Number(over)]}`;
         const y = over ? box.top - 8 + 15 * edge++ : box.bottom - 7;
-        const arrow = this.bands ? (over ? " →" : " ←") : over ? " ↑" : " ↓";
-        return svg(
-          "g",
-          { class: "limit" },
-          svg("text", { x: box.right, y, "text-anchor": "end" }, limit.text + arrow),
-        );
+        write(limit.lines.with(-1, limit.lines.at(-1) + arrow), box.right, y, "end");
+        continue;
       }
-      const at = this.value.scale(limit.value);
       const d = this.bands ? `M${at} ${box.top}V${box.bottom}` : `M${box.left} ${at}H${box.right}`;
-      const text = this.bands
-        ? svg("text", { x: at + 4, y: box.top - 6 }, limit.text)
-        : svg("text", { x: box.right, y: at - 5, "text-anchor": "end" }, limit.text);
-      return svg("g", { class: "limit" }, svg("path", { d }), text);
-    });
+      lines.push(svg("path", { class: "limit", d }));
+      if (!this.bands) write(limit.lines, box.right, at - 5, "end");
+      else if (2 * at > box.left + box.right) write(limit.lines, at - 4, box.top - 6, "end");
+      else write(limit.lines, at + 4, box.top - 6, "start");
+    }
+    return [lines, texts];
+  }
+
+  // The arrows towards numbers that are below and above the axis of the values.
+  get #arrows() {
+    return this.bands ? ["←", "→"] : ["↓", "↑"];
   }
 
   #series(box) {
     const { chart } = this;
     const clip = `${this.id}-clip`;
-    const group = svg(
-      "g",
-      { class: "all-series" },
-      svg(
-        "clipPath",
-        { id: clip },
-        svg("rect", {
-          x: box.left - 6,
-          y: box.top - 6,
-          width: box.right - box.left + 12,
-          height: box.bottom - box.top + 12,
-        }),
-      ),
-    );
-    this.shown.forEach((entry, i) => {
-      for (const p of entry.points) this.#put(p, i, box);
-      const drawn = paint(svg("g", { class: "series", "clip-path": `url(#${clip})` }), entry.series.look);
-      const { line } = entry.series; // a curve of theory has no marks
-      if (!this.bands && (line || chart.joined !== false)) drawn.append(this.#curve(entry));
-      if (!line) drawn.append(...this.#ranges(entry), ...this.#marks(entry));
-      entry.drawn = drawn;
-      group.append(drawn);
+    const area = svg("rect", {
+      x: box.left - 6,
+      y: box.top - 6,
+      width: box.right - box.left + 12,
+      height: box.bottom - box.top + 12,
     });
-    return group;
+    const drawn = this.shown.map((entry, i) => {
+      for (const p of entry.points) this.#put(p, i, box);
+      const group = paint(svg("g", { class: "series", "clip-path": `url(#${clip})` }), entry.series.look);
+      const { line } = entry.series; // a curve of theory has no marks
+      if (!this.bands && (line || chart.joined !== false)) group.append(this.#curve(entry));
+      if (!line) group.append(...this.#ranges(entry), ...this.#marks(entry));
+      entry.drawn = group;
+      return group;
+    });
+    return [svg("clipPath", { id: clip }, area), ...drawn];
   }
 
-  // Sets the position of a point in pixels. A point with an infinite value is at the edge.
+  // Sets the position of a point in pixels. A value that the axis cannot show, because it is infinite or too
+  // small for a logarithm, is an arrow at the edge.
   #put(p, i, box) {
-    const far = this.bands ? box.right : box.top;
-    const least = this.value.scale.domain()[0];
-    const across = (v) =>
-      Number.isFinite(v) && !(this.state.log && v <= least)
-        ? this.value.scale(v)
-        : v > least
-          ? far
-          : this.bands
-            ? box.left
-            : box.bottom;
+    const edges = this.bands ? [box.left, box.right] : [box.bottom, box.top];
+    // Outside a zoomed part, smaller values have places below the axis, so that their curves are not broken.
+    const least = this.#isInside(p) ? this.value.scale.domain()[0] : 0;
+    const beyond = (v) => (v === Infinity ? 1 : v === -Infinity || (this.state.log && v <= least) ? 0 : null);
+    const across = (v) => (beyond(v) === null ? this.value.scale(v) : edges[beyond(v)]);
+    p.arrow = this.#arrows[beyond(p.y)];
+    p.ends = [p.low, p.high].map((v) => beyond(v) === null);
     const beside = (this.bands ? this.neighbours.get(p.x) : [...this.shown.keys()]) ?? [];
     const many = beside.length;
     const aside =
@@ -372,7 +398,7 @@ export class LineChart {
     const path = line()
       .x((p) => p.at[0])
       .y((p) => p.at[1])
-      .defined((p) => Number.isFinite(p.y));
+      .defined((p) => !p.arrow);
     return svg("path", { class: "line", d: path(points) ?? "", "stroke-dasharray": series.look.dash });
   }
 
@@ -383,20 +409,22 @@ export class LineChart {
       .map((p) =>
         svg("path", {
           class: "range",
-          d: `M${p.from[0]} ${p.from[1]}L${p.to[0]} ${p.to[1]}${cap(p.from)}${cap(p.to)}`,
+          d: `M${p.from}L${p.to}${p.ends[0] ? cap(p.from) : ""}${p.ends[1] ? cap(p.to) : ""}`,
         }),
       );
   }
 
   // If a curve has many points, only about nine of the points have a mark.
   #marks({ series, points }) {
-    const every = points.length > 45 ? Math.ceil(points.length / 9) : 1;
+    const joined = !this.bands && this.chart.joined !== false;
+    const every = joined && points.length > 45 ? Math.ceil(points.length / 9) : 1;
     return points
-      .filter((_, i) => i % every === 0 || (i === points.length - 1 && every === 1))
+      .filter((_, i) => i % every === 0)
       .map((p) => {
-        p.drawn = Number.isFinite(p.y)
-          ? mark(series.look, ...p.at)
-          : svg("text", { class: "lost", x: p.at[0], y: p.at[1] + 9, "text-anchor": "middle" }, "↑");
+        const transform = `translate(${p.at}) rotate(${90 * "↓←↑→".indexOf(p.arrow)})`;
+        p.drawn = p.arrow
+          ? svg("path", { class: "beyond", d: "M0-10V0M-3.5-4L0 0L3.5-4", transform })
+          : mark(series.look, ...p.at);
         return p.drawn;
       });
   }
@@ -420,19 +448,21 @@ export class LineChart {
       [...ends].map(([label, at]) => [label, Math.min(Math.max(at[1], box.top), box.bottom)]),
     );
     const placed = this.legend.beside(heights, left, box.top, box.bottom);
-    for (const { series, drawn } of this.shown) {
+    for (const { series } of this.shown) {
       const end = ends.get(series.label);
-      if (!end) continue;
+      if (!end || (this.chart.joined === false && !series.line)) continue;
+      const from = heights.get(series.label),
+        to = placed.get(series.label);
+      if (Math.max(box.right - end[0], Math.abs(from - to)) > FAR) continue; // a long line looks like data
       this.picture.append(
         paint(
           svg("path", {
             class: "leader",
-            d: `M${end[0] + 7} ${heights.get(series.label)}L${left - 3} ${placed.get(series.label)}`,
+            d: `M${end[0] + 7} ${from}L${left - 3} ${to}`,
           }),
           series.look,
         ),
       );
-      drawn.dataset.label = series.label;
     }
   }
 

@@ -30,20 +30,16 @@ export function paint(element, look) {
   return element;
 }
 
-/** The path of a mark around the origin. @param {number} area in px² */
-export function markPath(look, area = 52) {
-  return symbol(SHAPES[look.mark] ?? symbolCircle, area)();
-}
-
+const AREA = 52; // px², of a mark
 // Marks that consist of lines, without an area to fill.
 const CROSSED = ["X", "x"];
 
 /** A mark at a place. */
-export function mark(look, x, y, area) {
+export function mark(look, x, y) {
   const turn = look.mark === "v" ? " rotate(180)" : "";
   return svg("path", {
     class: CROSSED.includes(look.mark) ? "mark crossed" : look.hollow ? "mark hollow" : "mark",
-    d: markPath(look, area),
+    d: symbol(SHAPES[look.mark] ?? symbolCircle, AREA)(),
     transform: `translate(${x.toFixed(1)} ${y.toFixed(1)})${turn}`,
   });
 }

@@ -78,10 +78,11 @@ export class Pointing {
     this.owner.plot.setPointerCapture(event.pointerId);
   }
 
-  #release() {
+  #release(event) {
     const dragged = this.dragged;
     this.dragged = null;
     this.#brush();
+    if (event.button !== 0) return;
     if (dragged && Math.abs(dragged.to - dragged.from) > 8) {
       const clamp = (x) => Math.min(Math.max(x, this.owner.box.left), this.owner.box.right);
       const ends = [dragged.from, dragged.to]

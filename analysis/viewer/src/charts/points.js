@@ -11,7 +11,7 @@ export function shownPoints(chart, { metric, held, hidden }) {
   const name = chart.ys[metric].name;
   return chart.series
     .filter((series) => !hidden.has(series.label) && series.y[name])
-    .filter((series) => (series.held ?? []).every((at, axis) => at === held[axis]))
+    .filter((series) => (series.held ?? []).every((at, axis) => at === null || at === held[axis]))
     .map((series) => ({
       series,
       points: series.x.map((x, i) => point(series, name, x, i)).filter((p) => !Number.isNaN(p.y)),

@@ -22,11 +22,13 @@ export function axisScale(kind, domain, range, values, gap = 64) {
     return { kind, scale, ticks: spaced(inside, scale, gap * 0.55), text: plain };
   }
   if (kind === "linear") return { kind, scale, ticks: scale.ticks(count), text: plain };
-  return { kind, scale, ticks: logTicks(domain, count), text: logText };
+  return { kind, scale, ticks: spaced(logTicks(domain, count), scale, gap * 0.55), text: logText };
 }
 
 /** px. A narrower chart is not drawn, because the browser is still laying out the page. */
 export const LEAST_WIDTH = 160;
+/** px. In a narrower chart the names of rows are above the rows. */
+export const NARROW = 560;
 
 const LEAST = 1e-6; // share of the largest number; smaller numbers are rounding and would stretch a log axis
 
@@ -50,7 +52,8 @@ export function extent(numbers, log, room = 0.06, zero = true) {
 // Round multiples of powers of ten, as many as there is room for.
 function logTicks([low, high], count) {
   const decades = Math.log10(high / low);
-  const leading = decades < 1.4 ? [1, 2, 3, 5, 7] : decades < 3 ? [1, 2, 5] : [1];
+  const within = (most, share) => decades < Math.min(most, share * count);
+  const leading = within(1.4, 0.28) ? [1, 2, 3, 5, 7] : within(3, 0.55) ? [1, 2, 5] : [1];
   const every = Math.max(1, Math.ceil(decades / count));
   const ticks = [];
   for (let exponent = Math.floor(Math.log10(low)); exponent <= Math.ceil(Math.log10(high)); ++exponent) {

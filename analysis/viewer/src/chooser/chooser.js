@@ -16,12 +16,16 @@ export function startChooser() {
   const data = pageData().chooser;
   if (!place || !data?.runs.length) return;
   const asked = { scene: 0, family: "equilateral", cells: 24, matters: "shape", goal: "error", most: 1 };
-  const answer = html("div", { class: "chosen", role: "status" });
-  const show = (problem) =>
-    answer.replaceChildren(
-      ...(problem ? [html("p", { class: "note open" }, problem)] : answered(found(data, asked), asked, data)),
-    );
-  place.append(form(asked, data, show), answer);
+  const said = html("div", { role: "status", id: "chosen-said" }), // only the sentence is read aloud
+    details = html("div", {});
+  const show = (problem) => {
+    const [sentence, ...rest] = problem
+      ? [html("p", { class: "note open" }, problem)]
+      : answered(found(data, asked), asked, data);
+    said.replaceChildren(sentence);
+    details.replaceChildren(...rest);
+  };
+  place.append(form(asked, data, show), html("div", { class: "chosen" }, said, details));
   show();
 }
 
@@ -31,31 +35,33 @@ function form(asked, data, show) {
     show();
   };
   const of = (label, name, texts, keys) => choice(label, texts, keys.indexOf(asked[name]), pick(name, keys));
-  const numeric = (name, least, label) =>
-    html("input", {
+  const numeric = (name, least, label) => {
+    const input = html("input", {
       type: "number",
       min: least,
       step: "any",
       value: asked[name],
-      "aria-label": label,
-      oninput: (event) => {
-        const x = Number(event.target.value);
-        const allowed = event.target.value !== "" && x >= least && Number.isFinite(x);
-        event.target.setAttribute("aria-invalid", !allowed);
+      oninput: () => {
+        const x = Number(input.value);
+        const allowed = input.value !== "" && x >= least && Number.isFinite(x);
+        input.setAttribute("aria-invalid", !allowed);
+        input.setAttribute("aria-describedby", allowed ? "" : "chosen-said");
         asked[name] = x;
         show(allowed ? "" : `${label}: give a number of at least ${least}.`);
       },
     });
+    return html("label", { class: "choice" }, html("span", {}, label), input);
+  };
   const families = Object.keys(data.families);
   return html(
     "form",
     { class: "asked", onsubmit: (event) => event.preventDefault() },
     of("My cloth", "scene", data.scenes, [...data.scenes.keys()]),
     of("Its mesh is", "family", Object.values(data.families), families),
-    html("label", { class: "choice" }, html("span", {}, "Cells along its width"), numeric("cells", 1, "Cells along the width")),
+    numeric("cells", 1, "Cells along its width"),
     of("What matters is", "matters", Object.values(MATTERS), Object.keys(MATTERS)),
     of("I want", "goal", Object.values(GOALS), Object.keys(GOALS)),
-    html("label", { class: "choice" }, html("span", {}, "namely"), numeric("most", 1e-6, "Error or time")),
+    numeric("most", 1e-6, "Error or time"),
   );
 }
 

@@ -76,22 +76,18 @@ class Explorer {
   }
 
   #pair() {
-    const pick = (label, chosen, put) =>
+    const pick = (label, all, name) =>
       choice(
         label,
-        this.all.map((each) => each.label),
-        this.all.indexOf(chosen),
+        all.map((each) => each.label),
+        all.indexOf(this[name]),
         (at) => {
-          put(this.all[at]);
+          this[name] = all[at];
           this.#draw();
         },
       );
-    return html(
-      "div",
-      { class: "tools" },
-      pick("Vertical axis", this.y, (y) => { this.y = y; }),
-      pick("Horizontal axis", this.x, (x) => { this.x = x; }),
-    );
+    const numbers = this.all.filter((each) => each.scale !== "band");
+    return html("div", { class: "tools" }, pick("Number", numbers, "y"), pick("Against", this.all, "x"));
   }
 
   #look(run) {
@@ -105,7 +101,7 @@ class Explorer {
     this.#mark();
   }
 
-  // Draws the curves of the runs that are not chosen pale, and shows the groups of the chosen runs.
+  // Draws the curves of the runs that are not chosen pale, and shows the groups of the runs inside the lines.
   #mark() {
     const chosen = this.runs.filter((run) => isChosen([run.id]));
     const all = chosenRuns() === null;
@@ -113,12 +109,26 @@ class Explorer {
     this.clear.disabled = all;
     this.parallel.mark((id) => isChosen([id]));
     const numbers = this.shown.filter((each) => !each.texts);
+    const { inside } = this.parallel;
+    const counts = (run) => inside?.includes(run.id) ?? true;
+    const ids = new Set(inside ? [] : chosenRuns()); // of the chosen groups
+    const isPressed = (group) => group.every(({ id }) => ids.has(id));
+    const press = (group) => {
+      const pressed = isPressed(group);
+      for (const { id } of group) pressed ? ids.delete(id) : ids.add(id);
+      this.parallel.clear(); // the groups replace a choice on the lines
+      choose(ids.size ? ids : null);
+    };
+    const buttons = () => [...this.groups.querySelectorAll("button")];
+    const at = buttons().indexOf(document.activeElement);
     this.groups.replaceChildren(
-      ...(this.colouring ? [groupTable(this.colouring, numbers, chosen, (ids) => choose(ids))] : []),
+      ...(this.colouring ? [groupTable(this.colouring, numbers, this.runs, counts, isPressed, press)] : []),
     );
+    buttons()[at]?.focus();
   }
 
   #draw() {
+    this.figure.chart?.dispose();
     this.figure.replaceChildren();
     this.figure.chart = new LineChart(this.figure, this.#chart());
   }

@@ -5,15 +5,23 @@ import { sample } from "../charts/look.js";
 
 /**
  * @param {import("./dimensions.js").Dimension} axis @param {import("./dimensions.js").Dimension[]} numbers
- * @param {Object[]} runs @param {(ids: string[]) => void} choose
+ * @param {Object[]} runs @param {(run: Object) => boolean} counts whether a run counts in its group
+ * @param {(group: Object[]) => boolean} isPressed @param {(group: Object[]) => void} press
  */
-export function groupTable(axis, numbers, runs, choose) {
+export function groupTable(axis, numbers, runs, counts, isPressed, press) {
   const rows = axis.texts.map((text, at) => {
-    const own = runs.filter((run) => axis.text(run) === text);
-    if (!own.length) return null;
+    const group = runs.filter((run) => axis.text(run) === text);
+    if (!group.length) return null;
+    const own = group.filter(counts);
     const name = html(
       "button",
-      { type: "button", class: "opens", title: "Choose these runs", onclick: () => choose(own.map((run) => run.id)) },
+      {
+        type: "button",
+        class: "opens",
+        title: "Choose these runs",
+        "aria-pressed": isPressed(group),
+        onclick: () => press(group),
+      },
       sample(axis.looks[at], "mark"),
       ` ${text}`,
     );

@@ -1,10 +1,11 @@
 /** Parallel coordinates: an upright line for each dimension, a curve for each run. Dragging along a part of a
- * line chooses the runs whose curves cross this part. */
+ * line, or arrow keys, choose the runs whose curves cross this part. */
 import { line } from "d3-shape";
+import { wrapped, written } from "../charts/axes.js";
 import { axisScale, extent } from "../charts/scales.js";
 import { paint } from "../charts/look.js";
 import { html, svg } from "../page/dom.js";
-import { titled } from "../page/numbers.js";
+import { number, titled } from "../page/numbers.js";
 
 const GAP = 104; // px, smallest distance of two lines
 const TOP = 46,
@@ -13,6 +14,14 @@ const TOP = 46,
   SIDE = 64,
   NAMES = 110, // px left of the first line
   CLICK = 4; // px; a shorter drag is a click
+// By how many runs a key moves the upper and the lower end of the chosen part.
+const MOVES = {
+  ArrowUp: [-1, 0],
+  ArrowDown: [1, 0],
+  ArrowRight: [0, -1],
+  ArrowLeft: [0, 1],
+  Delete: [-Infinity, Infinity],
+};
 
 export class Parallel {
   /**
@@ -31,9 +40,10 @@ export class Parallel {
    * @param {(run: Object) => Object} lookOf */
   show(dimensions, runs, lookOf) {
     Object.assign(this, { dimensions, runs, lookOf });
-    for (const name of this.ranges.keys())
-      if (!dimensions.some((each) => each.name === name)) this.ranges.delete(name);
+    const dropped = [...this.ranges.keys()].filter((name) => !dimensions.some((each) => each.name === name));
+    for (const name of dropped) this.ranges.delete(name);
     this.#draw();
+    if (dropped.length) this.changed();
   }
 
   /** The ids of the runs that are inside the dragged range of every line; null without a dragged range. */
@@ -71,9 +81,18 @@ export class Parallel {
       x: NAMES + i * gap,
       ...scaleOf(dimension, this.runs),
     }));
-    const picture = svg("svg", { class: "picture", width, height: HEIGHT, viewBox: `0 0 ${width} ${HEIGHT}` });
+    const picture = svg("svg", {
+      class: "picture",
+      width,
+      height: HEIGHT,
+      viewBox: `0 0 ${width} ${HEIGHT}`,
+      role: "group",
+      "aria-label":
+        "A line for each setting and number, a curve for each run. On a line, up and down move the upper " +
+        "end of the chosen part, right and left its lower end, Delete chooses all.",
+    });
     this.curves = this.runs.map((run) => ({ run, path: this.#curve(run) })).filter(({ path }) => path);
-    picture.append(svg("g", {}, ...this.curves.map(({ path }) => path)));
+    picture.append(svg("g", { "aria-hidden": "true" }, ...this.curves.map(({ path }) => path)));
     picture.append(...this.lines.map((each) => this.#line(each, gap)));
     this.element.replaceChildren(picture);
     if (this.isChosen) this.mark(this.isChosen);
@@ -88,60 +107,110 @@ export class Parallel {
     return paint(path, this.lookOf(run));
   }
 
-  #line({ dimension, x, ticks, text }, gap) {
-    const label = wrapped(titled(dimension.label, dimension.unit), Math.max(gap, GAP) / 6.6);
-    const group = svg(
+  #line(own, gap) {
+    const { dimension, x, ticks, text } = own;
+    const title = titled(dimension.label, dimension.unit);
+    const label = wrapped(title, Math.max(gap, GAP) / 6.6).slice(0, 2);
+    const axis = svg(
       "g",
-      { class: "axis" },
+      { class: "axis", "aria-hidden": "true" },
       svg("path", { class: "base", d: `M${x} ${TOP}V${HEIGHT - BOTTOM}` }),
-      ...label.map((part, i) =>
-        svg("text", { class: "title", x, y: TOP - 18 + 14 * (i + 1 - label.length), "text-anchor": "middle" }, part),
-      ),
+      ...written(label, { class: "title", x, y: TOP - 18, "text-anchor": "middle" }),
       ...ticks.map(({ y, value }) => svg("text", { x: x - 6, y: y + 4, "text-anchor": "end" }, text(value))),
     );
-    const handle = svg("rect", {
+    own.handle = svg("rect", {
       class: "handle",
       x: x - 14,
       y: TOP - 8,
       width: 28,
       height: HEIGHT - TOP - BOTTOM + 16,
+      tabindex: 0,
+      role: "slider",
+      "aria-label": title,
+      "aria-orientation": "vertical",
     });
-    const range = this.ranges.get(dimension.name);
-    const brush = svg("rect", { class: "brush", x: x - 8, width: 16, y: 0, height: 0 });
-    if (range) place(brush, range);
-    group.append(brush, handle);
-    this.#follow(handle, brush, dimension);
-    return group;
+    own.brush = svg("rect", { class: "brush", x: x - 8, width: 16 });
+    this.#tell(own);
+    this.#follow(own);
+    return svg("g", {}, axis, own.brush, own.handle);
   }
 
-  #follow(handle, brush, dimension) {
+  // The heights of the runs on a line, from above, and the first and last of them in the chosen part.
+  #heights({ dimension, scale }) {
+    const all = [...new Set(this.runs.map((run) => scale(dimension.of(run))))].filter(Number.isFinite);
+    all.sort((a, b) => a - b);
+    const [low, high] = this.ranges.get(dimension.name) ?? [-Infinity, Infinity];
+    return { all, upper: all.findIndex((y) => y >= low), lower: all.findLastIndex((y) => y <= high) };
+  }
+
+  // Shows the chosen part of a line, and tells it to screen readers.
+  #tell(own) {
+    const { dimension, scale, handle, brush } = own;
+    const range = this.ranges.get(dimension.name);
+    place(brush, range ?? [0, 0]);
+    const within = (x) => !range || (scale(x) >= range[0] && scale(x) <= range[1]);
+    const values = this.runs.map(dimension.of).filter((x) => !Number.isNaN(x) && within(x));
+    const text = (x) => (dimension.scale === "band" ? dimension.texts[x] : number(x));
+    const ends = values.length ? `${text(Math.min(...values))} to ${text(Math.max(...values))}` : "no run";
+    const { all, upper } = this.#heights(own);
+    handle.setAttribute("aria-valuetext", range ? ends : `all, ${ends}`);
+    handle.setAttribute("aria-valuemax", all.length - 1);
+    handle.setAttribute("aria-valuenow", all.length - 1 - upper);
+  }
+
+  #choose(own, range) {
+    if (range) this.ranges.set(own.dimension.name, range);
+    else this.ranges.delete(own.dimension.name);
+    this.#tell(own);
+    this.changed();
+  }
+
+  // Moves an end of the chosen part to the next run.
+  #key(own, event) {
+    const { all, upper, lower } = this.#heights(own);
+    const moves = MOVES[event.key];
+    if (!moves || !all.length) return;
+    event.preventDefault();
+    const last = all.length - 1;
+    const empty = upper < 0 || upper > lower; // no run is in the chosen part
+    const [first, end] = empty ? [0, last] : [upper, lower];
+    const from = Math.min(Math.max(first + moves[0], 0), end),
+      to = Math.min(Math.max(end + moves[1], first), last);
+    this.#choose(own, from === 0 && to === last ? null : [all[from], all[to]]);
+  }
+
+  #follow(own) {
+    const { handle, brush } = own;
     let from = null;
     const at = (event) => {
       const box = handle.ownerSVGElement.getBoundingClientRect();
       return Math.min(Math.max(event.clientY - box.top, TOP - 8), HEIGHT - BOTTOM + 8);
     };
+    handle.addEventListener("keydown", (event) => this.#key(own, event));
     handle.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
       handle.setPointerCapture(event.pointerId);
       from = at(event);
     });
     handle.addEventListener("pointermove", (event) => {
       if (from !== null) place(brush, [Math.min(from, at(event)), Math.max(from, at(event))]);
     });
+    handle.addEventListener("pointercancel", () => {
+      from = null;
+      this.#tell(own);
+    });
     handle.addEventListener("pointerup", (event) => {
+      if (from === null) return;
       const ends = [Math.min(from, at(event)), Math.max(from, at(event))];
       from = null;
-      if (ends[1] - ends[0] < CLICK) {
-        this.ranges.delete(dimension.name);
-        place(brush, [0, 0]);
-      } else this.ranges.set(dimension.name, ends);
-      this.changed();
+      this.#choose(own, ends[1] - ends[0] < CLICK ? null : ends);
     });
   }
 }
 
 function place(brush, [low, high]) {
-  brush.setAttribute("y", low);
-  brush.setAttribute("height", high - low);
+  brush.setAttribute("y", low - 2);
+  brush.setAttribute("height", high ? high - low + 4 : 0); // a part with a single height is seen, too
 }
 
 function scaleOf(dimension, runs) {
@@ -166,11 +235,3 @@ function scaleOf(dimension, runs) {
 }
 
 const cut = (text, most) => (text.length > most ? `${text.slice(0, most - 1)}…` : text);
-
-function wrapped(text, most) {
-  const lines = [""];
-  for (const word of text.split(" "))
-    if (lines.at(-1) && lines.at(-1).length + word.length >= most) lines.push(word);
-    else lines[lines.length - 1] += (lines.at(-1) ? " " : "") + word;
-  return lines.slice(0, 2);
-}

@@ -7,6 +7,7 @@ const calls = {
   complete: "The run is complete.",
   implausible: "The run ended as implausible.",
   diverged: "The run diverged.",
+  interrupted: "The run was stopped.",
 };
 
 /** Starts to ask for frames, if the page's data say that the run is being computed. */

@@ -10,9 +10,10 @@ export function choose(ids) {
   document.dispatchEvent(new CustomEvent("bendlab:chosen"));
 }
 
-/** Calls `act` whenever the choice has changed. */
+/** Calls `act` whenever the choice has changed. @returns {() => void} ends the calls */
 export function whenChosen(act) {
-  document.addEventListener("bendlab:chosen", () => act());
+  document.addEventListener("bendlab:chosen", act);
+  return () => document.removeEventListener("bendlab:chosen", act);
 }
 
 /** Whether at least one of these runs is chosen. @param {string[]} ids without ids always true */

@@ -18,8 +18,9 @@ export class ColourBar {
       html("span", { class: "player-bar-strip" }, this.canvas, this.ticks), this.high);
   }
 
-  /** @param {object} quantity @param {[number, number]} range @param {string} [map] of the colours */
-  show(quantity, range, map = quantity.map) {
+  /** @param {object} quantity @param {[number, number]} range */
+  show(quantity, range) {
+    const { map } = quantity;
     this.quantity = quantity;
     this.range = range;
     this.element.hidden = !map;

@@ -4,11 +4,11 @@ import { html } from "../page/dom.js";
 import { ColourBar } from "./bar.js";
 import { icon, setIcon } from "./icons.js";
 import { keysDialog } from "./keys.js";
-import { most } from "./layout.js";
+import { MOST } from "./layout.js";
 import { Panel } from "./panel.js";
 import { runOf } from "./runs.js";
 
-const SPEED_NAMES = { 0.1: "0.1 ×", 0.25: "¼ ×", 0.5: "½ ×", 1: "1 ×", 2: "2 ×", 4: "4 ×" };
+export const SPEEDS = [[0.1, "0.1 ×"], [0.25, "¼ ×"], [0.5, "½ ×"], [1, "1 ×"], [2, "2 ×"], [4, "4 ×"]];
 
 export class Controls {
   constructor(player) {
@@ -37,13 +37,15 @@ export class Controls {
     this.filmButton = press("film", "Save the motion", "A", () => player.saveAnimation());
     this.slider = html("input", { type: "range", class: "player-slider", "aria-label": "Time", step: "any",
       oninput: (event) => { player.stop(); player.seek(Number(event.target.value)); } });
-    this.clock = html("output", { class: "player-clock" });
+    this.clock = html("span", { class: "player-clock" });
     this.speed = html("select", { "aria-label": "Speed", title: "Speed ([ slower, ] faster)",
       onchange: (event) => player.setSpeed(Number(event.target.value)) },
-      ...Object.entries(SPEED_NAMES).sort(([a], [b]) => a - b).map(([value, text]) => html("option", { value }, text)));
+      ...SPEEDS.map(([value, text]) => html("option", { value }, text)));
     this.times = html("div", { class: "player-times" },
-      press("back", "One frame back", "←", () => player.step(-1)), this.playButton,
-      press("forward", "One frame on", "→", () => player.step(1)), this.slider, this.clock, this.speed, this.loopButton);
+      press("back", "One frame back", "←", () => player.step(-1), { "aria-keyshortcuts": "ArrowLeft" }),
+      this.playButton,
+      press("forward", "One frame on", "→", () => player.step(1), { "aria-keyshortcuts": "ArrowRight" }),
+      this.slider, this.clock, this.speed, this.loopButton);
     this.tools = html("div", { class: "player-tools" }, this.linkButton,
       press("reset", "First view", "R", () => player.resetCameras()), this.linesButton,
       press("camera", "Save this picture", "S", () => player.saveStill()), this.filmButton, this.fullButton,
@@ -112,9 +114,9 @@ export class Controls {
 
   #chosen(box) {
     const wanted = [...this.runs.querySelectorAll("input:checked")].map((each) => each.value);
-    if (!wanted.length || wanted.length > most) {
+    if (!wanted.length || wanted.length > MOST) {
       box.checked = !box.checked;
-      this.say(`Between 1 and ${most} runs can be shown.`);
+      this.say(`Between 1 and ${MOST} runs can be shown.`);
       return;
     }
     const value = box.value;
@@ -148,11 +150,15 @@ export class Controls {
     const { player } = this;
     const press = (button, pressed) => button.setAttribute("aria-pressed", String(Boolean(pressed)));
     setIcon(this.playButton, player.playing ? "pause" : "play");
-    this.playButton.setAttribute("aria-label", player.playing ? "Pause" : "Play");
+    const name = (button, label) => {
+      button.setAttribute("aria-label", label);
+      button.title = `${label} (${button.getAttribute("aria-keyshortcuts")})`;
+    };
+    name(this.playButton, player.playing ? "Pause" : "Play");
     press(this.loopButton, player.loop);
     press(this.linkButton, player.linked);
     press(this.linesButton, player.lines);
-    this.filmButton.setAttribute("aria-label", player.recorder?.recording ? "End the recording" : "Save the motion");
+    name(this.filmButton, player.recorder?.recording ? "End the recording" : "Save the motion");
     this.filmButton.classList.toggle("player-recording", Boolean(player.recorder?.recording));
     this.speed.value = String(player.speed);
     const choices = player.compare.choices(player.reference);

@@ -18,8 +18,8 @@ export function makePlayer(element) {
 }
 
 /** Makes the players of the page, and later makes and disposes of players on events of other parts. */
-export function startPlayers(root = document) {
-  for (const element of root.querySelectorAll(".player")) makePlayer(element);
+export function startPlayers() {
+  for (const element of document.querySelectorAll(".player")) makePlayer(element);
   document.addEventListener("bendlab:player", ({ detail }) => makePlayer(detail.element));
   document.addEventListener("bendlab:discard", ({ detail }) => detail.element?.player?.dispose());
 }

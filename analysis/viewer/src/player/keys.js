@@ -29,7 +29,7 @@ export const KEYS = [
     [["c"], "C", "cameras locked together, or one for each run", (p) => p.setLinked(!p.linked)]],
   ["Colours",
     [["q"], "Q", "next quantity", (p) => p.nextQuantity(1)],
-    [["Q", "Shift+Q"], "Shift Q", "quantity before", (p) => p.nextQuantity(-1)],
+    [["Q"], "Shift Q", "quantity before", (p) => p.nextQuantity(-1)],
     [["d"], "D", "compare with the next run", (p) => p.nextReference()],
     [["g"], "G", "lines of the mesh", (p) => p.setLines(!p.lines)]],
   ["Values",
@@ -48,6 +48,8 @@ export function pressed(player, event) {
   if (event.altKey || event.metaKey || event.defaultPrevented) return false;
   const typed = event.target.closest("input:not([type=range]):not([type=checkbox]), textarea, select");
   if (typed && event.key !== "Escape") return false;
+  if (event.target.closest("dialog.player-keys")) return false;
+  if (event.key.startsWith("Arrow") && event.target.closest(".player-panel .scroll")) return false; // scrolls
   if (event.key === " " && event.target.closest("button, summary, a, [type=checkbox]")) return false;
   const letter = event.key.length === 1 ? event.key : null;
   const shift = event.shiftKey && !letter ? "Shift+" : "";

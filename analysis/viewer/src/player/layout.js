@@ -1,6 +1,6 @@
 /** How views are laid out in a player. Pixels of the page. */
 
-const MOST = 8; // views
+export const MOST = 8; // views
 
 /** The number of columns for a number of views in a given width. */
 export function columnsFor(count, width) {
@@ -17,5 +17,3 @@ export function heightFor(count, width, room) {
   const tall = count === 1 ? Math.min(0.62 * width, 560) : Math.min(Math.max(0.95 * one, 190), 460);
   return Math.round(Math.max(Math.min(rows * tall, Math.max(0.78 * room, rows * 170)), 220));
 }
-
-export const most = MOST;

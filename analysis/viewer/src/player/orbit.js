@@ -7,9 +7,9 @@ import { PerspectiveCamera, Vector3 } from "three";
 const FIELD = 30; // degrees, from bottom to top
 
 export class Orbit {
-  constructor({ azimuth = -62, elevation = 18 } = {}) {
+  constructor() {
     this.home = null;
-    Object.assign(this, { azimuth, elevation, distance: 3, target: [0, 0, 0], moved: false });
+    Object.assign(this, { azimuth: -62, elevation: 18, distance: 3, target: [0, 0, 0], moved: false });
   }
 
   copy(other) {

@@ -2,13 +2,12 @@
 import { Vector3 } from "three";
 
 import { pageData } from "../page/data.js";
-import { html } from "../page/dom.js";
 import { number, withUnit } from "../page/numbers.js";
 import { pickedTriangle } from "./cloth.js";
 import { Compare } from "./compare.js";
-import { Controls } from "./controls.js";
+import { Controls, SPEEDS } from "./controls.js";
 import { pressed } from "./keys.js";
-import { columnsFor, heightFor, most } from "./layout.js";
+import { columnsFor, heightFor, MOST } from "./layout.js";
 import { followPointers } from "./orbit.js";
 import { springsOf } from "./picked.js";
 import { Recorder } from "./recorder.js";
@@ -19,15 +18,15 @@ import { anchorViews, View } from "./view.js";
 
 const REFINE_MS = 220;
 const TELL_MS = 120; // between updates of the running clock: text is slow to draw without a graphics card
-export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 const calm = matchMedia("(prefers-reduced-motion: reduce)");
 
 export class Player {
-  /** @param {HTMLElement} element with data-runs: ids, a space between them */
+  /** @param {HTMLElement} element with data-runs: ids, a space between them; perhaps data-shown: how many of
+   *   these runs are shown at first */
   constructor(element) {
     this.element = element;
     this.ids = element.dataset.runs.split(" ").filter(Boolean);
-    this.shownIds = this.ids.slice(0, most);
+    this.shownIds = this.ids.slice(0, Math.min(element.dataset.shown ?? MOST, MOST));
     this.time = 0;
     this.speed = 1;
     this.loop = false;
@@ -112,7 +111,7 @@ export class Player {
 
   /** Shows only these of the player's runs. */
   show(ids) {
-    this.shownIds = ids.slice(0, most);
+    this.shownIds = ids.slice(0, MOST);
     if (!this.shownIds.includes(this.referenceId)) this.referenceId = null;
     this.decoded = false;
     delete this.element.dataset.decoded;
@@ -311,8 +310,8 @@ export class Player {
   }
 
   changeSpeed(by) {
-    const at = SPEEDS.indexOf(this.speed) + by;
-    this.setSpeed(SPEEDS[Math.min(Math.max(at, 0), SPEEDS.length - 1)]);
+    const at = SPEEDS.findIndex(([speed]) => speed === this.speed) + by;
+    this.setSpeed(SPEEDS[Math.min(Math.max(at, 0), SPEEDS.length - 1)][0]);
   }
 
   setLoop(loop) {

@@ -1,7 +1,8 @@
 /** Saves the picture or the motion of a player. */
 import { pageData } from "../page/data.js";
+import { save } from "../page/dom.js";
 import { AnimatedPng } from "./apng.js";
-import { compose, offer, recordWebm, STRIP, webmType } from "./save.js";
+import { compose, recordWebm, STRIP, webmType } from "./save.js";
 
 const PICTURES_PER_SECOND = 15; // of an animated PNG
 const FINE_ENOUGH = 1; // level of detail of moving pictures that are saved (stage.js)
@@ -50,7 +51,7 @@ export class Recorder {
     const target = this.#canvas();
     this.#compose(target);
     const blob = await new Promise((resolve) => target.canvas.toBlob(resolve, "image/png"));
-    offer(this.#name(`-${player.time.toFixed(2)}s.png`), blob);
+    save(this.#name(`-${player.time.toFixed(2)}s.png`), blob);
     player.controls.say("Picture saved.");
     return blob;
   }
@@ -75,7 +76,7 @@ export class Recorder {
     try {
       const blob = type ? await recordWebm(target.canvas, type, (drawn) => this.#inTime(target, drawn))
         : await this.#pictures(target);
-      offer(this.#name(type ? ".webm" : ".png"), blob);
+      save(this.#name(type ? ".webm" : ".png"), blob);
       player.controls.say(type ? "Animation saved." : "Animation saved as animated PNG.");
       return blob;
     } catch (error) {

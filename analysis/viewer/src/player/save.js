@@ -1,17 +1,6 @@
 /** Saves pictures as PNG, and animations as WebM, or as animated PNG if the browser cannot record WebM. */
 import { ticksOf } from "./bar.js";
 
-/** Offers bytes as a file. */
-export function offer(name, blob) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  document.body.append(link);
-  link.click();
-  link.remove();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-}
-
 /**
  * Draws the player's picture onto another canvas, with the labels that the picture lacks.
  * @param {CanvasRenderingContext2D} context as large as the player's canvas and a strip below it

@@ -5,14 +5,13 @@ import { makeSortable } from "./sort.js";
 
 const MANY = 3; // a table with more rows has a filter
 
-/** @param {Document} root */
-export function startTables(root = document) {
-  for (const table of root.querySelectorAll("table.sortable")) {
+export function startTables() {
+  for (const table of document.querySelectorAll("table.sortable")) {
     labelCells(table);
     if (table.tBodies[0].rows.length > MANY) makeFilterable(table);
     makeSortable(table);
   }
-  for (const table of root.querySelectorAll("table.cards")) if (table.tHead) labelCells(table);
+  for (const table of document.querySelectorAll("table.cards")) if (table.tHead) labelCells(table);
   startRuns();
 }
 

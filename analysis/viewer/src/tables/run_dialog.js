@@ -27,8 +27,12 @@ export function startRuns() {
 }
 
 function fromAddress() {
-  const id = decodeURIComponent(location.hash).match(/^#run-(.+)$/)?.[1];
-  if (id && pageData().byId.has(id)) open([id], null);
+  try {
+    const id = decodeURIComponent(location.hash.match(/^#run-(.+)$/)?.[1] ?? "");
+    if (pageData().byId.has(id)) open([id], null);
+  } catch (error) {
+    if (!(error instanceof URIError)) throw error; // an address without a run, such as #run-100%
+  }
 }
 
 // The runs of a table, in the present order of its rows. In a table of counts: the runs of the cell.
@@ -76,7 +80,8 @@ function show(at) {
       text,
       () => {
         show(at + by);
-        dialog.querySelector(`[aria-label="${name}"]:not(:disabled)`)?.focus();
+        const again = dialog.querySelector(`[aria-label="${name}"]:not(:disabled)`);
+        (again ?? dialog.querySelector("[autofocus]")).focus(); // at the last run: Close
       },
       { "aria-label": name, disabled: at + by < 0 || at + by >= list.length },
     );
@@ -177,7 +182,7 @@ function numbers(run) {
   const rows = Object.entries(run.summary ?? {}).filter(([name]) => name in metrics);
   if (!rows.length) return [];
   const beside = other === run ? null : other;
-  const heads = ["", "this run", beside?.title, "ratio"];
+  const heads = ["", "this run", beside?.title ?? beside?.label, "ratio"];
   return [
     html("h3", {}, "Numbers"),
     html(

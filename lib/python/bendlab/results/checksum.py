@@ -4,6 +4,7 @@ import sys
 from functools import lru_cache
 from pathlib import Path
 
+import h5py
 import xxhash
 
 NAME = b"\nbendlab XXH3-128 "
@@ -61,6 +62,8 @@ def _problem(path, *_):
     if seal == "broken":
         return "was changed after it was written: its checksum does not match. Run its config again"
     if seal == "none":
+        if not h5py.is_hdf5(path):
+            return "cannot be read as a run file: it is not an HDF5 file"
         try:
             child = subprocess.run([sys.executable, __file__, path], timeout=TIME_LIMIT, check=False,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -75,7 +78,6 @@ def _problem(path, *_):
 
 
 def _read_everything(path):
-    import h5py
     from facts import Facts  # found because this script is in its folder
     with h5py.File(path, "r") as file:
         if "facts" in file and Facts(file).status in ("complete", "implausible", "diverged"):

@@ -18,12 +18,17 @@ import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.checksum import require_readable
+from bendlab.results.claim import is_owned
 from bendlab.results.facts import Facts
 from bendlab.results.run_index import Index, stamp_of
 
 
 def _opened(path):
-    """The opened HDF5 file. Tests the checksum first, because lists of runs do not open the files."""
+    """The opened HDF5 file. Tests the checksum first, because lists of runs do not open the files.
+    BlockingIOError if a process is writing the file."""
+    path = Path(path)
+    if path.suffix == ".part" and is_owned(path.parent):
+        raise BlockingIOError(f"{path} is being written by another process")
     require_readable(path)
     return h5py.File(path, "r")
 
@@ -52,17 +57,19 @@ class Metrics(Mapping):
             return Facts(file).columns[name]
 
 
-@dataclass
+@dataclass(eq=False)
 class Run:
     """A run. Metrics and frames are read when they are needed; all other data are read at once."""
 
     file: Path
     id: str
     name: str
-    status: str  # complete | implausible | diverged | interrupted | missing (a stand-in, see sweeps.py)
-    config: dict
-    summary: dict  # name → number
-    metrics: Mapping  # name → (F) array, `time` among them
+    # complete | implausible | diverged | interrupted. A run without a readable file is missing (not begun),
+    # running, failed (before its first frame) or unreadable (damaged).
+    status: str
+    config: dict = field(default_factory=dict)
+    summary: dict = field(default_factory=dict)  # name → number
+    metrics: Mapping = field(default_factory=lambda: {"time": []})  # name → (F) array, `time` among them
     wall_s: float = 0.0
     step_cpu_s: float = 0.0  # steps only, without set-up and recording
     cpu_s: float = 0.0
@@ -233,13 +240,15 @@ def method_name(solver):
 
 def load_run(path):
     """The run of a finished or unfinished (`.part`) file. Raises OSError if the file is not readable, or was
-    changed after it was written; KeyError if it is not a run file."""
+    changed after it was written; ValueError if it is not a run file."""
     return _run_of(Path(path), _read(path))
 
 
 def _read(path):
     """What a run file says, without metrics and frames. An index has only a part of these data."""
     with _opened(path) as file:
+        if not {"facts", "metrics", "VTKHDF"} <= set(file):
+            raise ValueError(f"{path} cannot be read as a run file: it is an HDF5 file, but not a run file")
         return {**Facts(file).json, "frames": len(file["metrics/values"])}
 
 
