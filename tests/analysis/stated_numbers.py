@@ -139,7 +139,7 @@ STATED["experiments/README.md"] = [
      r"(?s)largest_error = 0\.2;.*largest_strain = 0\.1;"),
     ("stretched to 1.5 times the", "advise/trial.hpp", r"largest_stretch = 1\.5;")]
 STATED["experiments/bench/README.md"] = [
-    ("about 30 minutes", "./bendlab bench, 2026-11-22"),
+    ("about 20 minutes", "./bendlab bench, 2026-11-26"),
     ("(xx, yy, xy) | {:.1f} ns | {:.1f} ns | {:.0f} ns | {:.1f} ns", *cost("strain", 128, 1024)),
     ("| crossover spring | {:.1f} ns | {:.1f} ns | {:.0f} ns | {:.1f} ns", *cost("crossover", 128, 1024)),
     ("(`adaptive`) | {:.1f} ns | | {:.0f} ns | {:.1f} ns", *cost("dense", 128)),
