@@ -92,7 +92,7 @@ def save(figure, folder, name, palette=True, dpi=None, tight=True, large=LARGE):
 
 
 def _palette(image):
-    """256 colours that suit an image and the colour map of stretch, from every third pixel."""
+    """256 colours that suit the colour map of stretch and every third pixel of each row and column."""
     image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
     strip = (255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8)
     both = np.concatenate([np.asarray(image), strip.repeat(image.height // 8, axis=0)])

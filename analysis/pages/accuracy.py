@@ -93,8 +93,10 @@ def answer(runs):
         text += (" The paper's setting on 64 cells has an error of "
                  f"{number_text(100 * paper['error_physical_rms'], 3)} % and takes "
                  f"{number_text(paper['ms_per_frame'], 2)} ms.")
-    return text or (f"The answer needs more runs: of {len(runs)}, none is known to have an error of at most "
-                    f"{100 * NEAR:g} % in one of the first two scenes." if runs else "There are no runs yet.")
+    return text or (f"The answer needs more runs. None of the {len(runs)} runs is known to have an error of "
+                    f"at most {100 * NEAR:g} % for a cloth that "
+                    f"{' or '.join(scene.split(':')[0] for scene in list(accuracy_runs.SCENES)[:2])}."
+                    if runs else "There are no runs yet.")
 
 
 def runs_html(runs):

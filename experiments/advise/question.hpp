@@ -20,7 +20,8 @@ namespace bendlab {
 /// Compliance of a membrane that hardly stretches, m/N: for an equilibrium whose config states no compliance.
 inline constexpr double stiff_membrane = 1e-5;
 
-/// The fewest cells that a mesh of a scene may have.
+/// `advise` tries no mesh with fewer cells along the width than this, but the config's own mesh may have
+/// fewer.
 inline constexpr int fewest_cells = 4;
 
 /// Which error counts: of the pose at rest, of the motion, or against the reference in the config's

@@ -70,7 +70,8 @@ std::string soft_text(const std::string& what, double share, double substeps) {
 std::optional<SoftSolver> soft_solver_warning(const std::map<std::string, double>& summary) {
   std::vector<std::string> parts;
   double least = 1;
-  // A nearly rigid membrane never reaches its stiffness, which matters only if the membrane stretches.
+  // The solver never reaches the stiffness of a nearly rigid membrane. This does no harm if the cloth hardly
+  // stretches, so there is no warning then.
   constexpr double stretched = 0.01;
   const auto strain = summary.find("mean_strain");
   const bool taut = strain != summary.end() && !(strain->second > stretched);

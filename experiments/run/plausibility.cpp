@@ -342,9 +342,9 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
       .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
 }
 
-// Rounding a coordinate at the distance d from the origin changes a speed by ε d / h. A projection moves at
-// most four points, and all rounding errors add up like a random walk. The mean over the vertices makes the
-// sum small.
+// Rounding a coordinate at the distance d from the origin changes a speed by ε d / h. A projection rounds at
+// most four points. These errors have random signs, so N errors add up to √N times one error. The mean
+// velocity is their sum over the number of vertices.
 std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
                                                           const Positions& velocities) const {
   if (!free_ || !(time > 0)) return std::nullopt;

@@ -313,7 +313,7 @@ class Accuracy(unittest.TestCase):
         answer = accuracy.answer([run("far", 0.011, 1), run("near", 0.009, 5)])
         self.assertIn("an error of at most 1 %", answer)
         self.assertIn("#run-near", answer)
-        self.assertIn("of 1, none is known", accuracy.answer([run("far", 0.011, 1)]))
+        self.assertIn("None of the 1 runs is known", accuracy.answer([run("far", 0.011, 1)]))
 
 
 class Plain(unittest.TestCase):

@@ -64,13 +64,14 @@ def errors_at(runs, equal):
 
 
 def gain(runs, equal):
-    """Error with one substep over error with one iteration per substep, at equal work. NaN if unknown."""
+    """Error with one substep divided by the error with one iteration per substep, if substeps × iterations
+    are `equal`. NaN if unknown."""
     errors = errors_at(runs, equal)
     return errors.get(1, np.nan) / errors.get(equal, np.nan)
 
 
 def along(runs, equal):
-    """(substeps, error) of all runs with this work and a finite error, sorted by substeps."""
+    """(substeps, error) of all runs with `equal` substeps × iterations and a finite error, by substeps."""
     return sorted(point for point in errors_at(runs, equal).items() if np.isfinite(point[1]))
 
 

@@ -27,7 +27,7 @@ struct ArcSpring {
   static constexpr std::size_t rest_values = 1;  ///< L, m
   static constexpr bool one_sided = true;
 
-  /// Size at rest, m, by which largest_move bounds the moves of corners.
+  /// Size at rest, m: the length. A projection moves a corner by at most `largest_move` sizes.
   template <class Real>
   static Real rest_size(const std::array<Real, 1>& rest) {
     return rest[0];

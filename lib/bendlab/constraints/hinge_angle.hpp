@@ -23,7 +23,7 @@ struct HingeAngle {
   /// Rest angle θ0, inverse rest length of the edge in 1/m, sin(θ0/2), cos(θ0/2).
   static constexpr std::size_t rest_values = 4;
 
-  /// Size at rest, m, by which largest_move bounds the moves of corners.
+  /// Size at rest, m: the length of the edge. A projection moves a corner by at most `largest_move` sizes.
   template <class Real>
   static Real rest_size(const std::array<Real, 4>& rest) {
     return 1 / rest[1];

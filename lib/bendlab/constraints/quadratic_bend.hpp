@@ -16,7 +16,7 @@ struct QuadraticBend {
   /// K_0 … K_3, |Kx| of the rest shape in m, rest length of the edge in m.
   static constexpr std::size_t rest_values = 6;
 
-  /// Size at rest, m, by which largest_move bounds the moves of corners.
+  /// Size at rest, m: the length of the edge. A projection moves a corner by at most `largest_move` sizes.
   template <class Real>
   static Real rest_size(const std::array<Real, 6>& rest) {
     return rest[5];

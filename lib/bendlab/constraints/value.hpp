@@ -9,10 +9,10 @@
 
 namespace bendlab {
 
-/// C and ∇C of a constraint on N vertices. `defined` is false if the gradient has no direction. If `defined`
-/// is false, `value` is the value to correct along the gradient of the rest shape, so that a collapsed
-/// element opens again. If this value is 0, the element cannot be corrected: it is overgrown
-/// (tolerances.hpp), or a hinge with a collapsed triangle, which its strain constraint opens.
+/// C and ∇C of a constraint on N vertices. `defined` is false if the gradient has no direction.
+/// A projection then uses the gradient of the rest shape, if there is a rest shape, and corrects `value`, so
+/// that a collapsed element opens again. If this value is 0, the projection does nothing: the element is
+/// overgrown (tolerances.hpp), or a hinge with a collapsed triangle, which its strain constraint opens.
 template <class Real, std::size_t N>
 struct ConstraintValue {
   Real value = 0;

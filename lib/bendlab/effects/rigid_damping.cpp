@@ -20,8 +20,9 @@ constexpr std::array fields = {
          .minimum = 0}),
 };
 
-// Linear and angular momentum, mass and inertia of the free vertices, about their centre of mass. The sums
-// are computed in double in the order of the vertices, so they do not depend on the number of threads.
+// The rigid motion of the free vertices: their centre of mass, its velocity, and their angular velocity, from
+// their angular momentum and inertia about the centre. The sums are computed in double in the order of the
+// vertices, so they do not depend on the number of threads.
 struct RigidMotion {
   Vector3d centre = Vector3d::Zero(), velocity = Vector3d::Zero(), spin = Vector3d::Zero();
 

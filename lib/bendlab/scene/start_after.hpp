@@ -30,8 +30,9 @@ struct StartingPose {
   const Positions& positions;  ///< #V by 3, m
 };
 
-/// Moves the free vertices of `scene` to the pose `start`, interpolated as in start_after(). Throws
-/// ConfigError, at `pointer`, if the meshes differ and are not two meshes of the same flat sheet.
+/// Moves the free vertices of `scene` to the pose `start`, interpolated as in start_after(). The
+/// mesh of `start` must be the mesh of `scene`, or both must be meshes of the same flat sheet. Otherwise
+/// throws a ConfigError for the setting with the JSON pointer `pointer`.
 void start_from(BuiltScene& scene, const StartingPose& start, const std::string& pointer);
 
 }  // namespace bendlab

@@ -141,7 +141,8 @@ function summed(numbers, rows, columns) {
   return numbers;
 }
 
-/** A function that decodes the next frame into `lattice`, which has the first frame. */
+/** Returns a function, each call of which decodes one more frame behind the earlier frames in `lattice`. At first
+ * `lattice` has the first frame, and room for all. */
 function frameDecoder(planes, { weights, counts }, parentSteps, groups, lattice, vertices) {
   const size = 3 * vertices;
   const total = lattice.length - size;
