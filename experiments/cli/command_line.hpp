@@ -1,4 +1,4 @@
-// The command line: parses arguments, runs the command, turns errors into messages and exit codes.
+// The command line: runs a command, and turns errors into messages and exit codes.
 #pragma once
 
 namespace bendlab {
