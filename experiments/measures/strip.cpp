@@ -33,7 +33,10 @@ class Reach {
   }
 
  private:
-  void add_constraint(const auto& vertices) {
+  void add_constraint(const auto& points) {
+    std::vector<int> vertices;  // without directors
+    for (const int p : points)
+      if (static_cast<std::size_t>(p) < along_.size()) vertices.push_back(p);
     const auto pinned = [&](int v) { return pins_.pinned(v); };
     if (std::ranges::none_of(vertices, pinned)) return;
     const auto s = [&](int v) { return along_[static_cast<std::size_t>(v)]; };

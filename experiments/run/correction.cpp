@@ -18,7 +18,7 @@ double correction_length(const SimulationInput& input, const std::array<int, N>&
   double sum = 0, own = 0;
   for (std::size_t i = 0; i < N; ++i) {
     const auto v = static_cast<std::size_t>(vertices[i]);
-    const double w = input.is_pinned[v] ? 0 : 1 / input.mass[v];
+    const double w = input.is_free(v) ? 1 / input.mass_of(v) : 0;
     sum += w * c.gradient[i].squaredNorm();
     if (vertices[i] == vertex) own = w * c.gradient[i].norm();
   }
@@ -37,7 +37,8 @@ void for_own_corrections(const SimulationInput& input, const Positions& position
       return scale * Eigen::Map<const Vector3>(&all.gradients[3 * (c * own.arity + corner)]);
     };
     const auto inverse_mass = [&](int v) {
-      return input.is_pinned[static_cast<std::size_t>(v)] ? 0 : 1 / input.mass[static_cast<std::size_t>(v)];
+      const auto point = static_cast<std::size_t>(v);
+      return input.is_free(point) ? 1 / input.mass_of(point) : 0;
     };
     const std::span<const int> vertices = own.corners(c);
     double sum = 0;
@@ -95,7 +96,7 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
 Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex) {
   Correction worst;
   if (vertex < 0) return worst;
-  for_corrections(input, positions, vertex, true, [&](std::string_view kind, double length) {
+  for_corrections(input, input.points_at(positions), vertex, true, [&](std::string_view kind, double length) {
     if (length > worst.length) worst = {std::string(kind), length};
   });
   return worst;
@@ -103,7 +104,7 @@ Correction worst_correction(const SimulationInput& input, const Positions& posit
 
 double largest_bending_correction(const SimulationInput& input, const Positions& positions) {
   double largest = 0;
-  for_corrections(input, positions, -1, false,
+  for_corrections(input, input.points_at(positions), -1, false,
                   [&](std::string_view, double length) { largest = std::max(largest, length); });
   return largest;
 }

@@ -45,47 +45,6 @@ void fill(Positions& numbers, const Positions& now) {
   std::copy_n(now.data(), now.size(), numbers.data());
 }
 
-// A copy of the input without constraints; the caller then adds one kind of constraint.
-SimulationInput bare(const SimulationInput& input) {
-  SimulationInput part = input;
-  part.strain = {}, part.edges = {}, part.distance = {}, part.elements = {}, part.own = {};
-  return part;
-}
-
-bool has_energy(const StrainStiffness& stiffness) {
-  return stiffness.kind == StiffnessKind::compliance && stiffness.compliance > 0;
-}
-bool has_energy(const BendingStiffness& stiffness) {
-  return stiffness.kind == StiffnessKind::compliance && stiffness.compliance > 0;
-}
-
-// Calls visit(name, input) for every kind of constraint that the scene has and that has an energy.
-template <class Visit>
-void for_energies(const SimulationInput& input, const Visit& visit) {
-  if (input.strain.size() > 0 && has_energy(input.strain_stiffness)) {
-    SimulationInput part = bare(input);
-    part.strain = input.strain;
-    visit("strain", part);
-  }
-  if (!has_energy(input.bending_stiffness)) return;
-  if (input.distance.size() > 0) {
-    SimulationInput part = bare(input);
-    part.distance = input.distance;
-    visit("distance", part);
-  }
-  if (input.own.size() > 0) {
-    SimulationInput part = bare(input);
-    part.own = input.own;
-    visit(input.own.function->name(), part);
-  }
-  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-    if (list.size() == 0) return;
-    SimulationInput part = bare(input);
-    std::get<ElementList<Kind>>(part.elements) = list;
-    visit(Kind::name, part);
-  });
-}
-
 }  // namespace
 
 struct PythonCloth::Arrays {
@@ -245,9 +204,7 @@ py::dict PythonCloth::energies() {
   py::dict by_kind;
   by_kind["kinetic"] = motion_of(scene.input.mass, positions, cloth_.velocities()).kinetic_energy;
   by_kind["weight"] = potential_energy(scene, positions) - elastic_energy(scene.input, positions);
-  for_energies(scene.input, [&](std::string_view name, const SimulationInput& part) {
-    by_kind[py::str(name.data(), name.size())] = elastic_energy(part, positions);
-  });
+  for (const EnergyPart& part : energy_parts(scene.input, positions)) by_kind[py::str(part.name)] = part.energy;
   return by_kind;
 }
 
@@ -255,14 +212,11 @@ py::dict PythonCloth::forces() {
   const Use use(*this);
   const Positions positions = cloth_.positions();
   py::dict by_kind;
-  for_energies(cloth_.scene().input, [&](std::string_view name, const SimulationInput& part) {
-    const Points<double> forces = ElasticSystem(part).forces(positions);
+  for (const EnergyPart& part : energy_parts(cloth_.scene().input, positions)) {
     py::array_t<double> rows({positions.rows(), positions.cols()});
-    auto row = rows.mutable_unchecked<2>();
-    for (Eigen::Index v = 0; v < positions.rows(); ++v)
-      for (int axis = 0; axis < 3; ++axis) row(v, axis) = forces[static_cast<std::size_t>(v)].vector()[axis];
-    by_kind[py::str(name.data(), name.size())] = rows;
-  });
+    std::copy_n(part.forces.data(), part.forces.size(), rows.mutable_data());
+    by_kind[py::str(part.name)] = std::move(rows);
+  }
   return by_kind;
 }
 

@@ -11,6 +11,7 @@
 #include "bendlab/bending/bend_spans.hpp"
 #include "bendlab/bending/sheet_response.hpp"
 #include "bendlab/bending/unit_bend.hpp"
+#include "bendlab/constraints/energy.hpp"
 
 namespace bendlab {
 namespace {
@@ -38,12 +39,17 @@ constexpr bool folds = std::is_same_v<Kind, HingeAngle> || std::is_same_v<Kind, 
 template <class Kind>
 constexpr bool shortens = std::is_same_v<Kind, ArcSpring>;
 
+// Kinds whose softness is 1 / D: they have the rigidity D without a fit.
+template <class Kind>
+constexpr bool is_exact = std::is_same_v<Kind, FoldBend> || std::is_same_v<Kind, MidEdgeBend> ||
+                          std::is_same_v<Kind, LaplacianBend>;
+
 template <class... Kinds>
 constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
-  return ((folds<Kinds> || shortens<Kinds>)&&...);
+  return ((folds<Kinds> || shortens<Kinds> || is_exact<Kinds>)&&...);
 }
 static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
-              "a new kind of constraint needs a calibration, too: name the kind in folds or shortens");
+              "a new kind of constraint needs a calibration, too: name it in folds, shortens or is_exact");
 
 class Calibration {
  public:
@@ -76,12 +82,26 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
-  // A model states the softness of its own elements for a rigidity of 1 N m, so these elements need no fit.
-  void scale_own_elements(OwnElements& own) {
-    if (own.size() == 0) return;
+  // Elements of exact kinds and own elements have a softness for a rigidity of 1 N m, so they need no fit.
+  void scale_exact_elements() {
+    std::size_t exact = constraints_.own.size();
+    for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+      if (is_exact<Kind>) exact += list.size();
+    });
+    if (exact == 0) return;
+    if (target_.deflection != Deflection::large)
+      throw std::invalid_argument(
+          "this model has its flexural_rigidity by a formula, for a sheet that is bent to a cylinder: set "
+          "\"deflection\" to \"large\", or choose a model made of hinges, such as discrete_shells");
     const std::vector<Vector2> plane = plane_coordinates(rest_);
-    if (!plane.empty()) add_share_facts(own, plane);
-    for (double& softness : own.softness) softness /= rigidity();
+    if (!plane.empty()) add_share_facts(plane);
+    const auto divide = [&](std::vector<double>& softness) {
+      for (double& of_element : softness) of_element /= rigidity();
+    };
+    divide(constraints_.own.softness);
+    for_each_kind(constraints_.elements, [&]<class Kind>(ElementList<Kind>& list) {
+      if constexpr (is_exact<Kind>) divide(list.softness);
+    });
   }
 
   void meet() {
@@ -149,25 +169,32 @@ class Calibration {
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
   }
 
-  // Bends each element about its middle, but so little that energies are quadratic.
-  void add_share_facts(const OwnElements& own, const std::vector<Vector2>& plane) {
+  // Bends the sheet, but so little that energies are quadratic. Heights are measured from the middle of each
+  // own element, because a function may compute with rounding of the whole height.
+  void add_share_facts(const std::vector<Vector2>& plane) {
     const double curvature = 1e-4 / rest_.mean_edge_length();
     double area = 0;
     for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
+    if (!(area > 0)) return;
     const ByDirection shares = in_all_directions([&](const Vector2& d) {
-      OwnElements apart = own;
-      Positions bent(static_cast<Eigen::Index>(own.vertices.size()), 3);
-      for (std::size_t c = 0, next = 0; c < own.size(); ++c) {
-        const auto at = [&](int v) { return plane[static_cast<std::size_t>(v)]; };
-        Vector2 middle = Vector2::Zero();
-        for (const int v : own.corners(c)) middle += at(v) / static_cast<double>(own.arity);
-        for (const int v : own.corners(c)) {
-          const Vector2 q = at(v) - middle;
-          apart.vertices[next] = static_cast<int>(next);
-          bent.row(static_cast<Eigen::Index>(next++)) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
+      double energy = 0;
+      if (constraints_.directors.count() > 0 || constraints_.own.size() == 0) {
+        Positions bent(rest_.vertex_count(), 3);
+        for (int v = 0; v < rest_.vertex_count(); ++v) {
+          const Vector2 q = plane[static_cast<std::size_t>(v)];
+          bent.row(v) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
         }
+        const Positions points =
+            joined(bent, relaxed_directors(constraints_.directors, constraints_.elements, constraints_.own, bent,
+                                           upright(constraints_.directors)));
+        energy = elastic_energy(constraints_.own, points);
+        for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+          if constexpr (is_exact<Kind>) energy += elastic_energy(list, points);
+        });
+      } else {
+        energy = energy_apart(constraints_.own, plane, d, curvature);
       }
-      return elastic_energy(apart, bent) / (0.5 * square(curvature) * area);
+      return energy / (0.5 * square(curvature) * area);
     });
     const auto [least, most] = std::ranges::minmax(shares);
     constraints_.facts.push_back({"large_deflection", mean(shares),
@@ -177,6 +204,32 @@ class Calibration {
         {"large_deflection_least", least, "smallest value of large_deflection over directions"});
     constraints_.facts.push_back(
         {"large_deflection_most", most, "largest value of large_deflection over directions"});
+  }
+
+  // Directors of three coordinates are normals, which are along z if the sheet lies in its plane.
+  static Positions upright(const Directors& directors) {
+    Positions rest = directors.rest;
+    if (directors.coordinates == 3)
+      for (auto row : rest.rowwise()) row = Eigen::RowVector3d(0, 0, row.norm());
+    return rest;
+  }
+
+  // The energy of own elements if each is bent about its middle.
+  static double energy_apart(const OwnElements& own, const std::vector<Vector2>& plane, const Vector2& d,
+                             double curvature) {
+    OwnElements apart = own;
+    Positions bent(static_cast<Eigen::Index>(own.vertices.size()), 3);
+    for (std::size_t c = 0, next = 0; c < own.size(); ++c) {
+      const auto at = [&](int v) { return plane[static_cast<std::size_t>(v)]; };
+      Vector2 middle = Vector2::Zero();
+      for (const int v : own.corners(c)) middle += at(v) / static_cast<double>(own.arity);
+      for (const int v : own.corners(c)) {
+        const Vector2 q = at(v) - middle;
+        apart.vertices[next] = static_cast<int>(next);
+        bent.row(static_cast<Eigen::Index>(next++)) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
+      }
+    }
+    return elastic_energy(apart, bent);
   }
 
   // Reduces the difference between the rigidities of the relaxed sheet and of the cylinder. Hinges that fold
@@ -259,6 +312,15 @@ class Calibration {
         "small_strip", [&](const Vector2& d) { return strip_rigidity(answer.relaxed, d); },
         "share of the stated B that a narrow strip has at small deflections, where it may also curve across "
         "its width (Poisson's ratio), mean over directions");
+    double poisson_ratio = 0;
+    const Rigidity compliance = answer.relaxed.inverse();
+    for (const Vector2& d : all_bending_directions()) {
+      const Eigen::Vector3d along(d.x() * d.x(), d.y() * d.y(), 2 * d.x() * d.y()),
+          across(d.y() * d.y(), d.x() * d.x(), -2 * d.x() * d.y());
+      poisson_ratio -= across.dot(compliance * along) / along.dot(compliance * along) / bending_directions;
+    }
+    facts.push_back({"poisson_ratio", poisson_ratio,
+                     "the Poisson's ratio that the hinges imply at small deflections, mean over directions"});
     facts.push_back({"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
                      "this value divided by √Y is about the curvature in 1/m above which a membrane of "
                      "stiffness Y (N/m) forces the sheet to a cylinder",
@@ -288,10 +350,24 @@ class Calibration {
     folds_.push_back(angle);
   }
 
+  // ½ C² divided by (θ - θ0)², for small changes of the angle.
+  static double stiffness_at_rest(HingeAngle::Law law, const std::array<double, 4>& rest) {
+    switch (law) {
+      case HingeAngle::Law::angle:
+        return 0.5;
+      case HingeAngle::Law::half_sine:
+        return 0.25 * rest[3];
+      case HingeAngle::Law::tangent:
+        return 0.5 * square(turn_of(Turn::tangent, rest[0] / 2).slope);
+      case HingeAngle::Law::sine:
+        return 0.5 * square(turn_of(Turn::sine, rest[0] / 2).slope);
+    }
+    throw std::logic_error("stiffness_at_rest: unknown law");
+  }
+
   void add(ElementList<HingeAngle>& list) {
     for (std::size_t c = 0; c < list.size(); ++c) {
-      // Half sine: ½ C² = V ≈ ¼ cos(θ0/2) (θ - θ0)².
-      const double weight = list.law == HingeAngle::Law::angle ? 0.5 : 0.25 * list.rest[c][3];
+      const double weight = stiffness_at_rest(list.law, list.rest[c]);
       add_hinge(linear_, list.softness[c], list.vertices[c],
                 [&](double angle) { return weight * square(angle) / list.softness[c]; });
     }
@@ -377,7 +453,7 @@ void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins
                const CalibrationTarget& target) {
   Calibration calibration(constraints, rest, pins, target);
   calibration.meet();
-  calibration.scale_own_elements(constraints.own);
+  calibration.scale_exact_elements();
 }
 
 }  // namespace bendlab

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/constraints/directors.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/mesh/pins.hpp"
@@ -30,6 +31,7 @@ struct BendingConstraints {
   DistanceConstraints distance;
   ElementLists elements;
   OwnElements own;  ///< evaluated by a function that the model provides
+  Directors directors;  ///< unknowns besides the vertices; the elements name director d as point #V + d
   std::vector<BendingFact> facts;
 };
 
@@ -41,6 +43,8 @@ struct BendingInput {
   /// A forecast counts only the constraints whose first vertex is a multiple of `stride`; build() may leave
   /// out the rest.
   int stride = 1;
+  double poisson_ratio = 0;  ///< of the sheet, for models with takes_poisson_ratio
+  bool is_flat = false;      ///< whether the sheet is unbent when it is flat, whatever the rest shape
 };
 
 struct BendingKind;
@@ -67,6 +71,10 @@ struct BendingKind {
   /// no strain. `strain_of_k_remedy` is a sentence about the remedy that helped in tests.
   double (*strain_of_k)(const void* settings, double k) = nullptr;
   std::string_view strain_of_k_remedy = {};
+  /// Whether a flat sheet that is bent to a cylinder has the rigidity D at a compliance of 1 / D, so that
+  /// calibrate() need not fit the stiffness of each constraint.
+  bool rigidity_is_exact = false;
+  bool takes_poisson_ratio = false;  ///< build() reads BendingInput::poisson_ratio
   /// Whether this model, calibrated to a stated rigidity, is the reference for all other models.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;

@@ -59,6 +59,9 @@ struct Bridson {
 };
 
 struct DiscreteShells {
+  enum class Measure { theta, tangent };
+
+  Measure measure = Measure::theta;
   static const BendingKind kind;
 };
 
@@ -73,9 +76,35 @@ struct Isometric {
   static const BendingKind kind;
 };
 
+struct MidEdge {
+  Turn measure = Turn::tangent;
+  static const BendingKind kind;
+};
+
+struct MidEdgeAverage {
+  static const BendingKind kind;
+};
+
+struct CorotationalFace {
+  static const BendingKind kind;
+};
+
+struct CorotationalEdge {
+  static const BendingKind kind;
+};
+
+struct Laplacian {
+  static const BendingKind kind;
+};
+
+struct Dkt {
+  static const BendingKind kind;
+};
+
 /// All models, in the order in which the program lists them.
 inline constexpr auto listed_bending_models =
     listed_kinds<BendingKind, None, Crossover, KRing, Adaptive, Lod, SparseLod, Prestressed, Dihedral,
-                 Bridson, DiscreteShells, ChoiKo, Isometric>;
+                 Bridson, DiscreteShells, ChoiKo, Isometric, MidEdge, MidEdgeAverage, CorotationalFace,
+                 CorotationalEdge, Laplacian, Dkt>;
 
 }  // namespace bendlab

@@ -24,7 +24,7 @@ std::vector<std::array<int, 3>> degenerate_corners(const RestMesh& rest) {
 
 }  // namespace
 
-std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins) {
+std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins, bool is_flat) {
   std::vector<RestHinge> hinges;
   const std::vector<std::array<int, 3>> degenerate = degenerate_corners(rest);
   const auto bad = [&](const Hinge& hinge, int opposite) {
@@ -44,7 +44,7 @@ std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins) {
     if (!free || !(h.edge > 0)) continue;
     const ConstraintValue<double, 4> angle = hinge_angle(h.position, 1 / h.edge);
     if (!angle.defined) continue;
-    h.angle = angle.value;
+    h.angle = is_flat ? 0 : angle.value;
     for (const std::size_t i : {2u, 3u})
       h.area += 0.5 * (h.position[i] - h.position[0]).cross(h.position[i] - h.position[1]).norm();
     hinges.push_back(h);

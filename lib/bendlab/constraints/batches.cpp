@@ -53,6 +53,14 @@ LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   return values;
 }
 
+template <class Real, class Kind>
+constexpr Real padding_of() {
+  if constexpr (requires { Kind::padding; })
+    return Real(Kind::padding);
+  else
+    return 1;
+}
+
 // The softness, limited to the range of Real, so that the conversion to Real gives neither 0 nor infinity.
 template <class Real>
 double nearest_number(double softness) {
@@ -102,7 +110,7 @@ ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, Batch
   for (std::size_t i = 0; i < Kind::arity; ++i)
     batch.corner[i] = corner_offsets(list.vertices, order, static_cast<int>(i), vertex_count);
   for (std::size_t i = 0; i < Kind::rest_values; ++i)
-    batch.rest[i] = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.rest[c][i]; });
+    batch.rest[i] = lane_values<Real>(order, padding_of<Real, Kind>(), [&](std::size_t c) { return list.rest[c][i]; });
   batch.softness = lane_values<Real>(order, Real(1),
                                      [&](std::size_t c) { return nearest_number<Real>(list.softness[c]); });
   batch.order = std::move(order);

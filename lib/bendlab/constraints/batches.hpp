@@ -82,7 +82,7 @@ inline std::vector<int> BatchOrder::constraint_of_lane() const {
 }
 
 /// The largest number of vertices of a constraint.
-inline constexpr int dummy_corners = 4;
+inline constexpr int dummy_corners = 13;
 /// Dummy points for padded lanes: one per lane and corner, so that a pack never writes a point twice. The
 /// positions of the dummies change no result. But a lane whose dummies are all at one point counts as a
 /// collapsed constraint. The kernel would project its pack a second time, which takes time.

@@ -46,9 +46,10 @@ struct PackKernel;
 
 /// The defaults that a PackKernel inherits: the energy is ½ C² / α for every C, and collapsed constraints do
 /// not open. A PackKernel redefines the functions in which its kind differs.
-template <class Scalar, class Kind>
+template <class Scalar, class OfKind>
 struct ElasticKernel {
   using Real = Scalar;
+  using Kind = OfKind;
   using Batch = ElementBatch<Real, Kind>;
   using Constraint = PackConstraint<Real, Kind::arity>;
   using Corners = std::array<PackPoints<Real>, Kind::arity>;
@@ -114,8 +115,9 @@ struct WholeCorners {
   }
 };
 
-// The corners of a pack of constraints if places are split, relative to the base of the first corner.
-template <class Real, std::size_t N>
+// The corners of a pack of constraints if places are split, relative to the base of the first corner. The last
+// corners are directors, which are relative to nothing.
+template <class Real, std::size_t N, std::size_t directors>
 struct SplitCorners {
   const Places<Real>& places;
   std::array<const int*, N> offsets;
@@ -126,7 +128,8 @@ struct SplitCorners {
       : places(split), offsets(at) {
     for (std::size_t i = 0; i < N; ++i) moved[i] = moved_rows(places, offsets[i]);
     const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
-    for (std::size_t i = 1; i < N; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
+    for (std::size_t i = 1; i < N - directors; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
+    for (std::size_t i = N - directors; i < N; ++i) p[i] = whole_points(places, offsets[i], moved[i]);
   }
 
   BENDLAB_INLINE void move(std::size_t i, const PackVector<Real>& way) {
@@ -242,7 +245,7 @@ BENDLAB_INLINE void open(typename Kernel::Constraint& c, const typename Kernel::
 
 // Returns `change`, a change of the multiplier, or a smaller change if `change` would move a corner farther
 // than largest_move sizes of the constraint.
-template <class Kernel>
+template <class Kernel, std::size_t directors>
 BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
                                  const typename Kernel::Constraint& c, const typename Kernel::Corners& p,
                                  const typename Kernel::Rest& rest) {
@@ -250,7 +253,7 @@ BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
   Pack<Real> size = Kernel::rest_size_squared(rest), farthest{};
   for (std::size_t i = 0; i < p.size(); ++i) {
     farthest = larger<Real>(farthest, p[i].w * p[i].w * dot(c.gradient[i], c.gradient[i]));
-    for (std::size_t j = i + 1; j < p.size(); ++j) {
+    for (std::size_t j = i + 1; j < p.size() - directors; ++j) {
       const PackVector<Real> d = p[j].position - p[i].position;
       size = larger<Real>(size, dot(d, d));
     }
@@ -271,7 +274,8 @@ template <class Kernel, class Corners, class Stiffness, class Real>
   auto c = Kernel::evaluate(corners.p, rest);
   open<Kernel>(c, corners.p, rest, batch, lane);
   const Leverage<Real> leverage(corners.p, c.gradient);
-  const Pack<Real> change = within_reach<Kernel>(
+  constexpr std::size_t directors = directors_of<typename Kernel::Kind>;
+  const Pack<Real> change = within_reach<Kernel, directors>(
       stiffness.template change<Kernel>(c, leverage, rest, batch, lane), c, corners.p, rest);
   stiffness.store_multiplier(batch, lane, change);
   for (std::size_t i = 0; i < c.gradient.size(); ++i)
@@ -346,7 +350,7 @@ void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std:
   const std::size_t begin = batch.order.stacks[first], end = batch.order.stacks[last];
   detail::with_kernel(batch, [&]<class Kernel>(Kernel) {
     with_split(places, [&]<bool split>(std::bool_constant<split>) {
-      using Corners = std::conditional_t<split, detail::SplitCorners<Real, Kind::arity>,
+      using Corners = std::conditional_t<split, detail::SplitCorners<Real, Kind::arity, directors_of<Kind>>,
                                          detail::WholeCorners<Real, Kind::arity>>;
       if (batch.kind == StiffnessKind::compliance)
         detail::project_lanes<Kernel, Corners>(

@@ -16,6 +16,15 @@
 //     static Real rest_size(rest);   // m, at most the constraint's size at rest (see largest_move)
 //   };
 //
+// A kind may also define:
+//
+//     static constexpr std::size_t directors;   // its last corners are directors (directors.hpp)
+//     static constexpr double padding;          // the rest values of lanes without a constraint; 1 if absent
+//     static constexpr std::size_t components;  // ½ C² is Σ ½ C_k² with smooth functions C_k, if
+//     static bool is_sum_of_squares(rest, law); // … this is true (absent: always)
+//     template <class Real>                     // C_k and ∇C_k
+//     static ConstraintValue<Real, arity> component(points, rest, law, k);
+//
 // The usual energy of a kind is ½ C² / α. A OneSided kind has another energy, which is 0 for C ≥ 0; k and
 // damping act only if C < 0. A OneSided kind defines functions that follow from ½ C² / α for other kinds:
 //
@@ -37,6 +46,28 @@ template <class Kind>
 concept OneSided = requires {
   requires Kind::one_sided;
 };
+
+/// Number of directors among the corners of a kind.
+template <class Kind>
+inline constexpr std::size_t directors_of = [] {
+  if constexpr (requires { Kind::directors; })
+    return std::size_t{Kind::directors};
+  else
+    return std::size_t{0};
+}();
+
+/// A kind whose energy is a sum of squares of functions that are smooth where C is 0.
+template <class Kind>
+concept HasComponents = requires {
+  Kind::components;
+};
+template <class Kind>
+bool is_sum_of_squares(const std::array<double, Kind::rest_values>& rest, typename Kind::Law law) {
+  if constexpr (requires { Kind::is_sum_of_squares(rest, law); })
+    return Kind::is_sum_of_squares(rest, law);
+  else
+    return HasComponents<Kind>;
+}
 
 template <class Kind>
 struct ElementList {

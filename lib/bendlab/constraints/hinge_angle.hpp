@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "bendlab/constraints/elements.hpp"
+#include "bendlab/constraints/turn.hpp"
 #include "bendlab/constraints/value.hpp"
 
 namespace bendlab {
@@ -32,8 +33,10 @@ struct HingeAngle {
   enum class Law {
     angle,      ///< C = θ - θ0, wrapped into (-π, π] (Müller et al. 2007, §3.3, with a sign)
     half_sine,  ///< ½C² = V, dV/dθ = sin(θ/2) - sin(θ0/2) (the elastic force of Bridson et al. 2003, §4)
+    tangent,    ///< C = 2 tan(θ/2) - 2 tan(θ0/2), by turn.hpp
+    sine,       ///< C = 2 sin(θ/2) - 2 sin(θ0/2)
   };
-  static constexpr std::array<std::string_view, 2> law_names = {"angle", "half_sine"};
+  static constexpr std::array<std::string_view, 4> law_names = {"angle", "half_sine", "tan", "sin"};
 
   template <class Real>
   static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,
@@ -65,6 +68,13 @@ ConstraintValue<Real, 4> HingeAngle::value(const std::array<Vector3Of<Real>, 4>&
                                            const std::array<Real, 4>& rest, Law law) {
   ConstraintValue<Real, 4> c = hinge_angle(p, rest[1]);
   if (!c.defined) return c;
+  if (law == Law::tangent || law == Law::sine) {
+    const Turn measure = law == Law::tangent ? Turn::tangent : Turn::sine;
+    const TurnValue<Real> now = turn_of(measure, c.value / 2);
+    c.value = 2 * (now.value - turn_of(measure, rest[0] / 2).value);
+    for (Vector3Of<Real>& gradient : c.gradient) gradient *= now.slope;
+    return c;
+  }
   constexpr Real pi = std::numbers::pi_v<Real>;
   Real change = c.value - rest[0];
   if (law == Law::angle) {

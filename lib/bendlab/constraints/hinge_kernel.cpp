@@ -9,7 +9,7 @@
 // Symbols and order are as in the oracle (the scalar code), hinge_angle() in hinge_angle.hpp.
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
-#include "bendlab/constraints/pack_math.hpp"
+#include "bendlab/constraints/pack_turn.hpp"
 
 namespace bendlab {
 
@@ -51,6 +51,12 @@ struct PackKernel<Real, HingeAngle, law> : ElasticKernel<Real, HingeAngle> {
     if constexpr (law == HingeAngle::Law::angle) {
       change = change > pi ? change - 2 * pi : change;
       result.value = change < -pi ? change + 2 * pi : change;
+    } else if constexpr (law != HingeAngle::Law::half_sine) {
+      constexpr Turn measure = law == HingeAngle::Law::tangent ? Turn::tangent : Turn::sine;
+      const PackTurn<Real> now = pack_turn<Real, measure>(Real(0.5) * angle),
+                           at_rest = pack_turn<Real, measure>(Real(0.5) * rest[0]);
+      result.value = 2 * (now.value - at_rest.value);
+      slope = now.slope;
     } else {
       const P delta = Real(0.5) * change, s = sine<Real>(Real(0.5) * delta);
       const P rest_of_one = one - s * s, size = delta < P{} ? -delta : delta;

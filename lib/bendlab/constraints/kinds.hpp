@@ -7,10 +7,11 @@
 #include <type_traits>
 
 #include "bendlab/constraints/arc_spring.hpp"
+#include "bendlab/constraints/face_bend.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/quadratic_bend.hpp"
 
-#define BENDLAB_FOR_ELEMENT_KINDS(X) X(HingeAngle) X(QuadraticBend) X(ArcSpring)
+#define BENDLAB_FOR_ELEMENT_KINDS(X) X(HingeAngle) X(QuadraticBend) X(ArcSpring) X(FoldBend) X(MidEdgeBend) X(LaplacianBend)
 
 namespace bendlab {
 

@@ -194,16 +194,15 @@ void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
                        bool backwards) {
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
-    const auto p = [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return corners_at<Real>(places, batch.corner[i][lane]...);
-    }
-    (std::make_index_sequence<Kind::arity>{});
+    std::array<int, Kind::arity> offsets;
+    for (std::size_t i = 0; i < Kind::arity; ++i) offsets[i] = batch.corner[i][lane];
+    const auto p = corners_at<Real>(places, offsets, directors_of<Kind>);
     const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
     const auto rest = rest_of(batch, lane);
     std::array<const Point<Real>*, Kind::arity> at_rest{};
     if (batch.rest_points != nullptr) at_rest = corners_of<Kind>(batch.rest_points, batch, lane);
     const auto c = opening(p, at_rest, [&](const auto& x) { return Kind::value(x, rest, batch.law); });
-    const Real reach = largest_move * size_of(vectors_of<Real>(p), Kind::rest_size(rest));
+    const Real reach = largest_move * size_of(vectors_of<Real>(p), Kind::rest_size(rest), directors_of<Kind>);
     if constexpr (OneSided<Kind>) {
       if (compliant)
         project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane], reach);

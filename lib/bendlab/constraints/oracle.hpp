@@ -24,17 +24,26 @@ struct Corner {
   void move(const Vector3Of<Real>& way) { moved->set(moved->vector() + way); }
 };
 
-/// The corners at these offsets.
+/// The corners at these offsets. The last `directors` corners are directors (directors.hpp), which are relative
+/// to nothing.
+template <class Real, std::size_t N>
+std::array<Corner<Real>, N> corners_at(const Places<Real>& places, const std::array<int, N>& offsets,
+                                       std::size_t directors = 0) {
+  std::array<Corner<Real>, N> corners;
+  for (std::size_t i = 0; i < N; ++i) {
+    Point<Real>& moved = point_at(places.moved, offsets[i]);
+    corners[i] = {Vector3Of<Real>::Zero(), &moved, moved.w};
+    if (places.base == nullptr) continue;
+    const Point<Real>& base = point_at(places.base, offsets[i]);
+    corners[i].base = base.vector(), corners[i].w = base.w;
+    if (i < N - directors) corners[i].base -= point_at(places.base, offsets[0]).vector();
+  }
+  return corners;
+}
 template <class Real, class... Offsets>
 std::array<Corner<Real>, 1 + sizeof...(Offsets)> corners_at(const Places<Real>& places, int first,
                                                             Offsets... other_offsets) {
-  const auto corner = [&](int offset) {
-    Point<Real>& moved = point_at(places.moved, offset);
-    if (places.base == nullptr) return Corner<Real>{Vector3Of<Real>::Zero(), &moved, moved.w};
-    const Point<Real>& base = point_at(places.base, offset);
-    return Corner<Real>{base.vector() - point_at(places.base, first).vector(), &moved, base.w};
-  };
-  return {corner(first), corner(other_offsets)...};
+  return corners_at(places, std::array<int, 1 + sizeof...(Offsets)>{first, other_offsets...});
 }
 
 /// C = |p_a - p_b| - rest_length, ∇_a C = n, ∇_b C = -n (Müller et al. 2007, §3.2).
@@ -56,12 +65,12 @@ std::array<Vector3Of<Real>, 2> deformation_gradient(const std::array<Vector3Of<R
   return {e1 * q[0] + e2 * q[2], e1 * q[1] + e2 * q[3]};
 }
 
-/// The longest distance between two corners, or `at_rest` if `at_rest` is longer, m.
+/// The longest distance between two corners that are no directors, or `at_rest` if `at_rest` is longer, m.
 template <class Real, std::size_t N>
-Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
+Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest, std::size_t directors = 0) {
   Real size = at_rest;
-  for (std::size_t i = 0; i < N; ++i)
-    for (std::size_t j = i + 1; j < N; ++j) size = std::max(size, (p[j] - p[i]).norm());
+  for (std::size_t i = 0; i < N - directors; ++i)
+    for (std::size_t j = i + 1; j < N - directors; ++j) size = std::max(size, (p[j] - p[i]).norm());
   return size;
 }
 

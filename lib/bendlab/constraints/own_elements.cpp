@@ -24,8 +24,9 @@ std::vector<double> corners_of(const OwnElements& list, const Positions& positio
   return corners;
 }
 
-// The longest distance between two corners, m.
-double size_of(std::span<const double> corners) {
+// The longest distance between two corners that are no directors, m.
+double size_of(std::span<const double> corners, std::size_t directors) {
+  corners = corners.first(corners.size() - 3 * directors);
   double square = 0;
   for (std::size_t i = 0; i < corners.size(); i += 3)
     for (std::size_t j = i + 3; j < corners.size(); j += 3)
@@ -102,7 +103,7 @@ std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const P
   const std::size_t width = 3 * list.arity;
   std::vector<double> step(list.size()), moved = corners, values(list.size());
   for (std::size_t c = 0; c < list.size(); ++c)
-    step[c] = relative_step * size_of(std::span(corners).subspan(c * width, width));
+    step[c] = relative_step * size_of(std::span(corners).subspan(c * width, width), list.directors);
   std::array<std::vector<double>, 2> gradients{std::vector<double>(corners.size()),
                                                std::vector<double>(corners.size())};
   std::vector<Eigen::MatrixXd> second(
@@ -181,7 +182,7 @@ void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bo
       for (std::size_t corner = 0; corner < vertices.size(); ++corner)
         farthest =
             std::max(farthest, std::abs(change) * inverse_mass[corner] * now.gradient(i, corner).norm());
-      if (const double reach = largest_move * size_of(now.corners_at(i)); farthest > reach)
+      if (const double reach = largest_move * size_of(now.corners_at(i), batch.list.directors); farthest > reach)
         change *= reach / farthest;
       for (std::size_t corner = 0; corner < vertices.size(); ++corner) {
         Point<Real>& moved = places.moved[static_cast<std::size_t>(vertices[corner])];

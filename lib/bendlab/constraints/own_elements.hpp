@@ -30,6 +30,7 @@ class ElementFunction {
 struct OwnElements {
   std::shared_ptr<const ElementFunction> function;  ///< null: there are no own elements
   std::size_t arity = 0;
+  std::size_t directors = 0;     ///< the last corners of an element are directors (directors.hpp)
   std::vector<int> vertices;     ///< #C by arity
   std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
 

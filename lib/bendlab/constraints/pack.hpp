@@ -318,6 +318,16 @@ struct BaseRows {
   }
 };
 
+// base + moved.
+template <class Real>
+BENDLAB_INLINE PackPoints<Real> whole_points(const Places<Real>& places, const int* offsets,
+                                             const MovedRows<Real>& moved) {
+  Pack<Real> sum[4];
+  for (int r = 0; r < 4; ++r) sum[r] = rows_by_fours(places.base, offsets + r) + moved.row[r];
+  transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
+  return {{sum[0], sum[1], sum[2]}, sum[3]};
+}
+
 // The bases at `offsets`. Sets `relative` to the moves and inverse masses of the points at `offsets`.
 template <class Real>
 BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* offsets,

@@ -35,18 +35,20 @@ BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
 }
 
 /// Positions and velocities of a cloth. Coordinates are relative to `origin`, so that they are more accurate
-/// in single precision. The arrays of points have #V points in the order of the permutation, followed by the
-/// dummy points for padded lanes (batches.hpp).
+/// in single precision. The arrays of points have #V vertices in the order of the permutation, then the
+/// directors of the bending model (directors.hpp), whose coordinates are relative to 0, then the dummy points
+/// for padded lanes (batches.hpp).
 template <class Real>
 struct State {
   int vertex_count = 0;
+  int point_count = 0;  ///< #P, vertices and directors
   Points<Real> position;  ///< w holds the inverse mass, 1/kg (0: pinned)
   Points<Real> previous;  ///< positions at the start of the substep
   Points<Real> velocity;  ///< m/s
   /// The rounding errors of positions (between substeps) and velocities: position + position_remainder is the
   /// exact position, and velocity + velocity_remainder the exact velocity. Only for pbd in single precision.
   Points<Real> position_remainder, velocity_remainder;
-  std::vector<double> mass;  ///< #V, kg, pinned vertices too
+  std::vector<double> mass;  ///< #P, kg, pinned points too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /// v += change. velocity_remainder stores the digits of a small change that v cannot store.
   void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {

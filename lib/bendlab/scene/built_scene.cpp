@@ -193,8 +193,16 @@ BendingStiffness bending_stiffness(const Bending& bending) {
 }
 
 // The model's constraints, calibrated if the stiffness is physical.
-BendingConstraints bending_constraints(const Bending& bending, const RestMesh& rest, const Pins& pins) {
-  BendingConstraints constraints = constraints_of(bending.model, {rest, pins});
+BendingConstraints bending_constraints(const Bending& bending, double poisson_ratio, const RestMesh& rest,
+                                       const Pins& pins) {
+  BendingInput input{rest, pins};
+  input.poisson_ratio = poisson_ratio, input.is_flat = bending.rest_curvature == RestCurvature::flat;
+  BendingConstraints constraints;
+  try {
+    constraints = constraints_of(bending.model, input);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError("bending model", {{"/bending/model", error.what()}});
+  }
   if (bending.stiffness != Stiffness::physical) {
     const bool by_k = bending.stiffness != Stiffness::compliance;
     if (const auto why = unknown_to_k(bending.model.kind(), constraints); by_k && why)
@@ -376,7 +384,7 @@ BuiltScene build_scene(const Scene& stated) {
 
   const Bending& stated_bending = stated.bending;
   input.bending_stiffness = bending_stiffness(stated_bending);
-  BendingConstraints bending = bending_constraints(stated_bending, rest, scene.pins);
+  BendingConstraints bending = bending_constraints(stated_bending, stated.material.poisson_ratio, rest, scene.pins);
   const SolverSettings& settings = input.settings;
   const bool prestressed = stated_bending.model.kind().prestressed;
   if (method.projects && prestressed && stated_bending.stiffness == Stiffness::physical) {
@@ -392,6 +400,7 @@ BuiltScene build_scene(const Scene& stated) {
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
   input.own = std::move(bending.own);
+  input.directors = std::move(bending.directors);
   check_own_elements(input);
   if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);
   input.moves_apart = !rounding_speed(scene).whole_suffices();

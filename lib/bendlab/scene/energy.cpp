@@ -1,10 +1,12 @@
 #include "bendlab/scene/energy.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "bendlab/constraints/energy.hpp"
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/scene/gravity.hpp"
+#include "bendlab/solver/elastic_system.hpp"
 
 namespace bendlab {
 
@@ -14,11 +16,46 @@ double elastic_energy(const SimulationInput& input, const Positions& positions) 
   const BendingStiffness& bending = input.bending_stiffness;
   if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
     sum += elastic_energy(input.strain, strain.form, positions) / strain.compliance;
-  if (bending.kind == StiffnessKind::compliance && bending.compliance > 0)
-    sum += (elastic_energy(input.distance, positions) + elastic_energy(input.elements, positions) +
-            elastic_energy(input.own, positions)) /
+  if (bending.kind == StiffnessKind::compliance && bending.compliance > 0) {
+    const Positions points = input.points_at(positions);
+    sum += (elastic_energy(input.distance, points) + elastic_energy(input.elements, points) +
+            elastic_energy(input.own, points)) /
            bending.compliance;
+  }
   return sum;
+}
+
+std::vector<EnergyPart> energy_parts(const SimulationInput& input, const Positions& positions) {
+  std::vector<EnergyPart> parts;
+  const Positions points = input.points_at(positions);
+  SimulationInput bare = input;
+  bare.strain = {}, bare.edges = {}, bare.distance = {}, bare.elements = {}, bare.own = {};
+  std::ranges::fill(bare.is_pinned, 0);
+  const auto add = [&](std::string_view name, const auto& fill) {
+    SimulationInput part = bare;
+    fill(part);
+    const ElasticSystem system(part);
+    const Points<double> forces = system.forces(points);
+    EnergyPart& result = parts.emplace_back(EnergyPart{std::string(name), system.energy(points), {}});
+    result.forces.resize(positions.rows(), 3);
+    for (Eigen::Index v = 0; v < positions.rows(); ++v)
+      result.forces.row(v) = forces[static_cast<std::size_t>(v)].vector().transpose();
+  };
+  const auto has_energy = [](const auto& stiffness) {
+    return stiffness.kind == StiffnessKind::compliance && stiffness.compliance > 0;
+  };
+  if (input.strain.size() > 0 && has_energy(input.strain_stiffness))
+    add("strain", [&](SimulationInput& part) { part.strain = input.strain; });
+  if (!has_energy(input.bending_stiffness)) return parts;
+  if (input.distance.size() > 0)
+    add("distance", [&](SimulationInput& part) { part.distance = input.distance; });
+  if (input.own.size() > 0)
+    add(input.own.function->name(), [&](SimulationInput& part) { part.own = input.own; });
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    if (list.size() > 0)
+      add(Kind::name, [&](SimulationInput& part) { std::get<ElementList<Kind>>(part.elements) = list; });
+  });
+  return parts;
 }
 
 double potential_energy(const BuiltScene& scene, const Positions& positions) {

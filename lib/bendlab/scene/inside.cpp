@@ -10,6 +10,7 @@ State<double> state_of(const BuiltScene& scene) {
   const SimulationInput& input = scene.input;
   State<double> state;
   state.vertex_count = static_cast<int>(input.positions.rows());
+  state.point_count = state.vertex_count;
   state.origin = input.origin;
   state.mass = input.mass;
   const auto count = static_cast<std::size_t>(state.vertex_count);

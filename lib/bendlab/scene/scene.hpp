@@ -67,14 +67,19 @@ struct Strain {
 
 struct Material {
   double density = 0.2;  ///< kg/m²
+  double poisson_ratio = 0;
   double density_ratio = 1;
   MaterialCoordinates coordinates = MaterialCoordinates::warp;
   Vector3 warp_direction{1, 0, 0};
   Strain strain;
 };
 
+/// Where the sheet has no bending moment: in the rest shape of the mesh, or flat.
+enum class RestCurvature { mesh, flat };
+
 struct Bending {
   BendingModel model = DiscreteShells{};
+  RestCurvature rest_curvature = RestCurvature::mesh;
   Stiffness stiffness = Stiffness::physical;
   double k = 0.5;
   double compliance = 0;  ///< m/N or 1/(N m)

@@ -15,6 +15,7 @@ namespace bendlab {
 namespace {
 
 constexpr std::array<std::string_view, 4> stiffness_names = {"k", "k_per_step", "compliance", "physical"};
+constexpr std::array<std::string_view, 2> rest_curvature_names = {"mesh", "flat"};
 constexpr std::array<std::string_view, 3> chosen_precision_names = {"auto", "single", "double"};
 
 constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
@@ -56,6 +57,10 @@ constexpr auto needs_curvature = read_when<Scene>([](const Scene& s) {
 constexpr auto is_of_hinges = read_when<Scene>([](const Scene& s) {
   return s.bending.stiffness == Stiffness::physical && !s.bending.model.kind().springs_only;
 });
+constexpr auto takes_poisson_ratio =
+    read_when<Scene>([](const Scene& s) { return s.bending.model.kind().takes_poisson_ratio; });
+constexpr auto has_hinges =
+    read_when<Scene>([](const Scene& s) { return is_made_of_hinges(s.bending.model.kind()); });
 constexpr auto starts_at_random =
     read_when<Scene>([](const Scene& s) { return s.initial.perturbation > 0 || s.initial.random > 0; });
 constexpr auto counts_substeps =
@@ -193,6 +198,12 @@ constexpr std::array material = {
     field<&Material::density>({.name = "density", .unit = "kg/m²",
               .meaning = "Mass per area",
               .minimum = 0, .above = true}),
+    field<&Material::poisson_ratio>({.name = "poisson_ratio", .unit = "1",
+              .meaning = "Poisson's ratio ν of the sheet: a strip that is bent along its length curves by -ν "
+                         "times as much across its width. Read by the bending models that `bendlab models` "
+                         "says can have one; other models imply a ratio, which the summary of a run states as "
+                         "model_poisson_ratio",
+              .minimum = -0.99, .maximum = 0.499, .read_when = takes_poisson_ratio}),
     field<&Material::density_ratio>({.name = "density_ratio", .unit = "1",
               .meaning = "Factor for the density in the half of the cloth with the larger x",
               .minimum = 0, .above = true}),
@@ -242,6 +253,10 @@ constexpr std::array strain = {
 };
 
 constexpr std::array bending = {
+    field<&Bending::rest_curvature>({.name = "rest_curvature",
+              .meaning = "Where hinges have no moment. mesh: in the rest shape of the mesh; flat: where the "
+                         "sheet is flat, so that a curved mesh is bent from the start",
+              .choices = rest_curvature_names, .read_when = has_hinges}),
       field<&Bending::stiffness>({.name = "stiffness",
                 .meaning = bending_stiffness_meaning, .choices = stiffness_names}),
       field<&Bending::k>({.name = "k", .unit = "1",

@@ -44,28 +44,41 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-// κ of one element (see the header); 0 if C has no gradient at rest.
+// κ of the constraint C (see the header); 0 if C has no gradient at rest.
 template <class Kind>
-std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::arity>& corners,
-                                                const std::array<double, Kind::rest_values>& rest,
-                                                typename Kind::Law law) {
+std::array<double, Kind::arity> weights_of(const ConstraintValue<double, Kind::arity>& c) {
+  constexpr std::size_t vertices = Kind::arity - directors_of<Kind>;
   std::array<double, Kind::arity> weights{};
-  if constexpr (std::is_same_v<Kind, QuadraticBend>) {  // |Kx| has no gradient where a sheet is flat
-    std::copy_n(rest.begin(), weights.size(), weights.begin());
-    return weights;
-  }
-  const auto c = Kind::template value<double>(corners, rest, law);
   if (!c.defined) return weights;
   Vector3 largest = Vector3::Zero();
-  for (const Vector3& gradient : c.gradient)
-    if (gradient.squaredNorm() > largest.squaredNorm()) largest = gradient;
+  for (std::size_t i = 0; i < vertices; ++i)
+    if (c.gradient[i].squaredNorm() > largest.squaredNorm()) largest = c.gradient[i];
   if (!(largest.squaredNorm() > 0)) return weights;
-  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = c.gradient[i].dot(largest.normalized());
+  for (std::size_t i = 0; i < vertices; ++i) weights[i] = c.gradient[i].dot(largest.normalized());
+  for (std::size_t i = vertices; i < Kind::arity; ++i) weights[i] = c.gradient[i].x();
   return weights;
+}
+
+// Calls add(κ) for every part of an element's energy.
+template <class Kind, class Add>
+void for_weights(const std::array<Vector3, Kind::arity>& corners, const ElementList<Kind>& list,
+                 std::size_t element, const Add& add) {
+  const auto& rest = list.rest[element];
+  if constexpr (requires { typename Kind::IsSumOfVertices; }) {  // |Kx| has no gradient where a sheet is flat
+    std::array<double, Kind::arity> weights;
+    std::copy_n(rest.begin(), weights.size(), weights.begin());
+    add(weights);
+  } else if constexpr (HasComponents<Kind>) {
+    for (std::size_t k = 0; k < Kind::components; ++k)
+      add(weights_of<Kind>(Kind::template component<double>(corners, rest, list.law, k)));
+  } else {
+    add(weights_of<Kind>(Kind::template value<double>(corners, rest, list.law)));
+  }
 }
 
 // For each pair of vertices, adds the trace of the pair's block of the Hessian at rest. The trace is the
 // stiffness along the normal, because bending of a flat sheet at rest resists only along the normal.
+// Directors and vertices are not coupled, because a coordinate of a director belongs to no axis.
 void add_own(const OwnElements& own, const Positions& rest, double compliance, Assembly& bending) {
   if (own.size() == 0) return;
   const bool is_energy = own.function->is_energy();
@@ -80,6 +93,8 @@ void add_own(const OwnElements& own, const Positions& rest, double compliance, A
     };
     bending.add(own.corners(c), [&](std::size_t i, std::size_t j) {
       const auto row = static_cast<Eigen::Index>(3 * i), column = static_cast<Eigen::Index>(3 * j);
+      const std::size_t first_director = own.arity - own.directors;
+      if ((i < first_director) != (j < first_director)) return 0.0;
       return stiffness *
              (is_energy ? second[c].block<3, 3>(row, column).trace() : gradient(i).dot(gradient(j)));
     });
@@ -89,15 +104,15 @@ void add_own(const OwnElements& own, const Positions& rest, double compliance, A
 }  // namespace
 
 ElasticMetric::ElasticMetric(const SimulationInput& input)
-    : free_index_(input.is_pinned.size(), -1),
+    : free_index_(input.point_count(), -1),
       strain_(input.strain),
       compliance_(input.strain_stiffness.compliance) {
   for (std::size_t v = 0; v < free_index_.size(); ++v)
-    if (!input.is_pinned[v] && input.mass[v] > 0) {
+    if (input.is_free(v)) {
       free_index_[v] = static_cast<int>(vertices_.size());
       vertices_.push_back(static_cast<int>(v));
     }
-  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
+  const Positions rest = input.rest.rows() > 0 ? input.rest_points() : input.points();
   find_stiffness_of_springs(input, rest);
   Assembly bending(free_index_, vertices_.size());
   const double compliance = input.bending_stiffness.compliance;
@@ -108,14 +123,23 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
                       "approximates this force. Choose the method newton, or another bending model",
                       input.method.name(), Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e) {
-      const auto weight = weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law);
       const double stiffness = 1 / (compliance * list.softness[e]);
-      bending.add(list.vertices[e],
-                  [&](std::size_t i, std::size_t j) { return stiffness * weight[i] * weight[j]; });
+      // Directors and vertices are not coupled, because a coordinate of a director belongs to no axis.
+      constexpr std::size_t first_director = Kind::arity - directors_of<Kind>;
+      for_weights<Kind>(corners(rest, list.vertices[e]), list, e, [&](const auto& weight) {
+        bending.add(list.vertices[e], [&](std::size_t i, std::size_t j) {
+          return (i < first_director) == (j < first_director) ? stiffness * weight[i] * weight[j] : 0.0;
+        });
+      });
     }
   });
   add_own(input.own, rest, compliance, bending);
   bending_ = bending.matrix(vertices_.size());
+  for (std::size_t i = 0; i < vertices_.size(); ++i)  // a director that no element reads
+    if (static_cast<std::size_t>(vertices_[i]) >= input.mass.size()) {
+      const auto row = static_cast<Eigen::Index>(i);
+      if (bending_.coeff(row, row) == 0) bending_.coeffRef(row, row) = 1;
+    }
 }
 
 // The stiffness at a vertex is ½ Σ L²/α over the springs at the vertex, divided by the vertex's area. At

@@ -8,6 +8,7 @@
 //                would join vertices that are many edges apart, and the Cholesky factor would be almost dense
 //   element      κ κᵀ / α, with κ_i = n·∇_i C in the rest shape and the unit vector n along the largest
 //                ∇_i C. For a flat hinge this is the Hessian, because all ∇_i C are along the normal
+//   director     as a vertex, but not coupled to vertices
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -23,7 +24,7 @@ class ElasticMetric {
   /// Throws std::invalid_argument for elements whose force jumps: no constant matrix approximates jumps.
   explicit ElasticMetric(const SimulationInput& input);
 
-  const std::vector<int>& vertices() const { return vertices_; }           ///< the n free vertices
+  const std::vector<int>& vertices() const { return vertices_; }           ///< the n free points and directors
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
   /// Membrane and springs: n by n, lower half, N/m. Triangle t is softness[t] times as soft as stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;

@@ -41,7 +41,8 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
 // ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points a formula is used: C is the
 // distance of the points minus a constant.
 template <std::size_t N, class Evaluate>
-Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
+Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, std::size_t directors,
+                                                      const Evaluate& evaluate) {
   if constexpr (N == 2) {
     const Vector3 d = p[0] - p[1];
     const Eigen::Matrix3d across =
@@ -52,7 +53,7 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
   }
   Eigen::Matrix<double, 3 * N, 3 * N> result;
   double size = 0;  // two corners may lie in one place
-  for (const Vector3& corner : p) size = std::max(size, (corner - p[0]).norm());
+  for (std::size_t i = 1; i < N - directors; ++i) size = std::max(size, (p[i] - p[0]).norm());
   const double step = 1e-6 * size;
   for (std::size_t i = 0; i < N; ++i)
     for (int axis = 0; axis < 3; ++axis) {
@@ -68,18 +69,6 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
             (ahead.gradient[j] - behind.gradient[j]) / (2 * step);
     }
   return 0.5 * (result + result.transpose());
-}
-
-// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions, with one term for each.
-// C = |Kx| is not used, because |Kx| has no second derivative at zero, that is in flat parts of a sheet.
-bool is_sum_of_squares(const ElementList<QuadraticBend>& list, std::size_t c) {
-  return list.law == QuadraticBend::Law::norm && list.rest[c][4] <= 1e-9 * list.rest[c][5];
-}
-ConstraintValue<double, 4> component(const Corners<4>& p, const std::array<double, 6>& rest, int axis) {
-  ConstraintValue<double, 4> c;
-  for (std::size_t i = 0; i < 4; ++i)
-    c.value += rest[i] * p[i](axis), c.gradient[i] = rest[i] * Vector3::Unit(axis);
-  return c;
 }
 
 Eigen::MatrixXd without_negative_eigenvalues(const Eigen::MatrixXd& matrix) {
@@ -107,8 +96,9 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
   if (strain_.size() > 0) require_compliance(strain_stiffness_.kind, strain_stiffness_.compliance, "strain");
   if (distance_.size() > 0 || element_count(elements_) > 0 || own_.size() > 0)
     require_compliance(input.bending_stiffness.kind, bending_compliance_, "bending");
-  for (std::size_t v = 0; v < input.is_pinned.size(); ++v)
-    free_index_.push_back(!input.is_pinned[v] && input.mass[v] > 0 ? free_count_++ : -1);
+  for (std::size_t p = 0; p < input.point_count(); ++p)
+    free_index_.push_back(input.is_free(p) ? free_count_++ : -1);
+  first_director_ = input.mass.size(), read_coordinates_ = input.directors.coordinates;
   for_terms([&](Eigen::Index, const auto&, const auto&, const auto&) { ++energy_terms_; });
   energy_terms_ += static_cast<Eigen::Index>(own_.size());
   find_pattern();
@@ -158,11 +148,12 @@ template <class Kind, class Visit>
 void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
                                   const Visit& visit) const {
   const double alpha = bending_compliance_ * list.softness[c];
-  if constexpr (std::is_same_v<Kind, QuadraticBend>)
-    if (is_sum_of_squares(list, c)) {
-      for (int axis = 0; axis < 3; ++axis)
+  if constexpr (HasComponents<Kind>)
+    if (is_sum_of_squares<Kind>(list.rest[c], list.law)) {
+      for (std::size_t k = 0; k < Kind::components; ++k)
         visit(
-            next++, list.vertices[c], [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
+            next++, list.vertices[c],
+            [&](const Corners<Kind::arity>& p) { return Kind::component(p, list.rest[c], list.law, k); },
             [&](double value) { return quadratic(value, alpha); });
       return;
     }
@@ -198,8 +189,9 @@ ElasticSystem::AtVertex ElasticSystem::at_vertex(const Positions& positions, int
   const auto add = [&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
     const auto c = evaluate(corners(positions, vertices));
     if (!c.defined) return;
-    const auto corner = static_cast<std::size_t>(std::ranges::find(vertices, vertex) - vertices.begin());
-    const Vector3& gradient = c.gradient[corner];
+    Vector3 gradient = Vector3::Zero();  // an element may name a vertex twice
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (vertices[i] == vertex) gradient += c.gradient[i];
     const Potential psi = potential(c.value);
     sum.energy += psi.value;
     sum.force -= psi.slope * gradient;
@@ -221,7 +213,9 @@ void ElasticSystem::find_constraints_at_vertices() {
   const auto add = [&](std::size_t list, const auto& constraints) {
     for (std::size_t c = 0; c < constraints.size(); ++c)
       for (const int v : constraints.vertices[c])
-        constraints_at_[static_cast<std::size_t>(v)].push_back({list, c});
+        if (auto& at = constraints_at_[static_cast<std::size_t>(v)];
+            at.empty() || at.back().list != list || at.back().index != c)
+          at.push_back({list, c});
   };
   add(0, strain_), add(1, distance_);
   for_each_kind(elements_,
@@ -366,7 +360,13 @@ const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& posit
     if (!c.defined) return;
     const double slope = multipliers(term), curvature = potential(c.value).curvature;
     if (slope == 0 && curvature == 0) return;
-    const Eigen::Matrix<double, 3 * N, 3 * N> second = slope * second_derivative<N>(p, evaluate);
+    // Only elements with directors have 9 corners.
+    constexpr std::size_t directors = N == MidEdgeBend::arity ? MidEdgeBend::directors : 0;
+    Eigen::Matrix<double, 3 * N, 3 * N> second;
+    if (slope != 0)
+      second = slope * second_derivative<N>(p, directors, evaluate);
+    else
+      second.setZero();
     for (std::size_t i = 0; i < N; ++i)
       for (std::size_t j = 0; j < N; ++j) {
         const int row = free_index_[static_cast<std::size_t>(vertices[i])],
@@ -379,7 +379,21 @@ const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& posit
       }
   });
   add_own_hessian(positions, multipliers);
+  hold_unread_coordinates();
   return hessian_;
+}
+
+// Coordinates of directors that the model does not read get the stiffness of the coordinate that it reads, so
+// that the matrix is definite.
+void ElasticSystem::hold_unread_coordinates() {
+  for (std::size_t p = first_director_; p < free_index_.size(); ++p) {
+    if (free_index_[p] < 0) continue;
+    const auto diagonal = [&](int k) -> double& {  // the first entry of a column is its diagonal
+      return hessian_.valuePtr()[hessian_.outerIndexPtr()[3 * free_index_[p] + k]];
+    };
+    if (diagonal(0) == 0) diagonal(0) = 1;
+    for (int k = read_coordinates_; k < 3; ++k) diagonal(k) = diagonal(0);
+  }
 }
 
 void ElasticSystem::add_own_hessian(const Positions& positions, const Eigen::VectorXd& multipliers) {

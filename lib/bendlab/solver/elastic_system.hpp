@@ -1,5 +1,6 @@
 // The elastic energy of a scene's constraints as a function of the free vertices' positions, with gradient
-// and Hessian. XPBD approaches the minimum of this energy if its iterations converge. A static equilibrium
+// and Hessian. If the bending model has directors (directors.hpp), these are unknowns like vertices: all
+// arrays have #P points. XPBD approaches the minimum of this energy if its iterations converge. A static equilibrium
 // minimises the sum of this energy and the energy of the loads.
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
@@ -34,13 +35,13 @@ class ElasticSystem {
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
   std::size_t memory_bytes() const;  ///< its lists of constraints, and the Hessian
-  /// #V: the index of each vertex among the free vertices, or -1. Unknowns 3 i to 3 i + 2 are x, y, z of the
-  /// free vertex i.
+  /// #P: the index of each point among the free points, or -1. Unknowns 3 i to 3 i + 2 are x, y, z of the
+  /// free point i.
   const std::vector<int>& free_index() const { return free_index_; }
 
-  double energy(const Positions& positions) const;             ///< J; positions #V by 3, m
+  double energy(const Positions& positions) const;             ///< J; positions #P by 3, m
   Eigen::VectorXd gradient(const Positions& positions) const;  ///< unknowns, N
-  Points<double> forces(const Positions& positions) const;     ///< #V, -∇E, 0 at pinned vertices, N
+  Points<double> forces(const Positions& positions) const;     ///< #P, -∇E, 0 at pinned points, N
   /// ψ'(C) of each term; 0 for a collapsed element.
   Eigen::VectorXd multipliers(const Positions& positions) const;
 
@@ -85,6 +86,7 @@ class ElasticSystem {
   template <class Value, std::size_t N>
   double change_of(const Value& c, const std::array<int, N>& vertices, const Eigen::VectorXd& step) const;
   void find_pattern();
+  void hold_unread_coordinates();
   void add_block(int row, int column, const Eigen::Matrix3d& block);
 
   StrainConstraints strain_;
@@ -95,6 +97,8 @@ class ElasticSystem {
   double bending_compliance_, strain_softness_ = 1;
   std::vector<int> free_index_;
   int free_count_ = 0;
+  std::size_t first_director_ = 0;  // among the points
+  int read_coordinates_ = 1;        // of a director
   Eigen::Index energy_terms_ = 0;
   // For each free vertex: the free vertices of its terms whose index is not smaller than its own index.
   std::vector<std::vector<int>> blocks_;

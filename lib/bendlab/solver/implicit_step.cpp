@@ -43,7 +43,7 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, Integrator integr
       constraint_count_(count_constraints(input)) {
   require_energy(input);
   data_.base = data_.target = data_.velocity = data_.earlier_velocity = state_.position;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
+  for (std::size_t v = 0; v < static_cast<std::size_t>(state_.point_count); ++v)
     has_unknowns_ |= state_.position[v].w > 0;
 }
 
@@ -54,6 +54,7 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
     if (state_.position[v].w > 0) mass += state_.mass[v], ++free;
   data_.contacts = ContactForces<Real>(per_weight, mass > 0 ? mean * free / mass : 0);
   for (Pass<Real>& pass : effect_passes) take_drag_over(pass);
+  if (!data_.drag.empty()) data_.drag.resize(static_cast<std::size_t>(state_.point_count), 0);  // directors
   this->add_pass(before_, "start", [this](auto&) { remember_velocities(); });
   this->append_effects(before_, effect_passes, Stage::force);
   this->append_effects(before_, effect_passes, Stage::damp);
@@ -138,7 +139,7 @@ Real ImplicitStep<Real>::weight_for(std::size_t v, double gamma) const {
 template <class Real>
 std::vector<Real> ImplicitStep<Real>::lasting_weights() const {
   const double h = settings_.dt / settings_.substeps;
-  std::vector<Real> weights(static_cast<std::size_t>(state_.vertex_count));
+  std::vector<Real> weights(static_cast<std::size_t>(state_.point_count));
   for (std::size_t v = 0; v < weights.size(); ++v)
     weights[v] = weight_for(v, integrator_ == Integrator::bdf2 ? 2 * h / 3 : h);
   return weights;
@@ -146,7 +147,7 @@ std::vector<Real> ImplicitStep<Real>::lasting_weights() const {
 
 template <class Real>
 void ImplicitStep<Real>::aim(Real h) {
-  const auto count = static_cast<std::size_t>(state_.vertex_count);
+  const auto count = static_cast<std::size_t>(state_.point_count);
   data_.gamma.resize(count, 0), data_.weight.resize(count, 0);
   data_.weights_changed = false;
   data_.total_force = 0;
@@ -163,7 +164,7 @@ void ImplicitStep<Real>::aim(Real h) {
           state_.mass[v] / static_cast<double>(h) *
           static_cast<double>((state_.velocity[v].vector() - data_.velocity[v].vector()).norm());
   }
-  this->for_vertices([&](std::size_t first, std::size_t last) {
+  this->for_points([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Real g = data_.gamma[v], share = g < h ? Real(1) / 3 : Real(0);
       const Vector3Of<Real> x = state_.position[v].vector(), start = data_.velocity[v].vector(),
@@ -195,7 +196,7 @@ bool ImplicitStep<Real>::pins_moved() const {
 template <class Real>
 void ImplicitStep<Real>::update() {
   const auto h = static_cast<Real>(settings_.dt / settings_.substeps);
-  this->for_vertices([&](std::size_t first, std::size_t last) {
+  this->for_points([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       state_.velocity[v].set((state_.position[v].vector() - data_.base[v].vector()) / data_.gamma[v]);
       const bool touched = data_.contacts.in_use() && data_.contacts.touched(v),
@@ -226,16 +227,18 @@ Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
   Positions positions(static_cast<Eigen::Index>(data_.weight.size()), 3);
   for (std::size_t v = 0; v < data_.weight.size(); ++v)
     positions.row(static_cast<Eigen::Index>(v)) =
-        (points[v].vector().template cast<double>() + state_.origin).transpose();
+        (points[v].vector().template cast<double>() + this->origin_of(v)).transpose();
   return positions;
 }
 
 template <class Real>
 void ImplicitStep<Real>::keep_momentum() {
-  if (std::ranges::any_of(data_.weight, [](Real w) { return !(w > 0); })) return;
+  const auto vertices = static_cast<std::size_t>(state_.vertex_count);
+  for (std::size_t v = 0; v < vertices; ++v)
+    if (!(data_.weight[v] > 0)) return;
   Vector3 unbalanced = Vector3::Zero();
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  for (std::size_t v = 0; v < data_.weight.size(); ++v) {
+  for (std::size_t v = 0; v < vertices; ++v) {
     const auto weight = static_cast<double>(data_.weight[v]);
     stiffness.diagonal().array() += weight;
     unbalanced += weight * (state_.position[v].vector() - data_.target[v].vector()).template cast<double>();
@@ -244,7 +247,7 @@ void ImplicitStep<Real>::keep_momentum() {
     stiffness += data_.contacts.obstacle_stiffness(v).template cast<double>();
   }
   const Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
-  for (auto& p : state_.position) p.set(p.vector() - move);
+  for (std::size_t v = 0; v < vertices; ++v) state_.position[v].set(state_.position[v].vector() - move);
 }
 
 template <class Real>

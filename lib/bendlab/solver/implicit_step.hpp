@@ -115,7 +115,7 @@ class ImplicitStep : public TimeStep<Real> {
 
   /// The weights w for the γ that the integrator has after its first substep.
   std::vector<Real> lasting_weights() const;
-  /// Positions in world coordinates, #V by 3, m. Methods that permute vertices cannot call this or
+  /// Points in world coordinates, #P by 3, m. Methods that permute vertices cannot call this or
   /// start_lower().
   Positions in_world(const Points<Real>& points) const;
   /// Replaces the first guess by the positions at the end of the last substep, if the minimised function is

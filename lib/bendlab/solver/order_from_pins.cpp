@@ -26,7 +26,8 @@ template <class Corners>
 std::vector<std::size_t> nearest_first(const Corners& vertices, const std::vector<int>& hops) {
   const auto distance = [&](std::size_t c) {
     int least = std::numeric_limits<int>::max();
-    for (const int v : vertices[c]) least = std::min(least, hops[static_cast<std::size_t>(v)]);
+    for (const int v : vertices[c])
+      if (const auto at = static_cast<std::size_t>(v); at < hops.size()) least = std::min(least, hops[at]);
     return least;
   };
   std::vector<int> distances(vertices.size());

@@ -14,11 +14,17 @@ namespace {
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
+// The index of a point in the solver's arrays; directors are not permuted.
+int permuted(int point, const std::vector<int>& permutation) {
+  const auto p = static_cast<std::size_t>(point);
+  return p < permutation.size() ? permutation[p] : point;
+}
+
 // The list with vertex permutation[v] in place of v.
 template <class List>
 List renumbered(List list, const std::vector<int>& permutation) {
   for (auto& corners : list.vertices)
-    for (int& v : corners) v = permutation[static_cast<std::size_t>(v)];
+    for (int& v : corners) v = permuted(v, permutation);
   return list;
 }
 DistanceConstraints renumbered(const DistanceConstraints& list, const std::vector<int>& permutation) {
@@ -58,7 +64,7 @@ struct SortedByLowest {
 template <class Real, class List, class Colour, class Make>
 auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list, Colour colour, Make make,
               std::vector<StackRange>* tiles) {
-  const auto vertex_count = static_cast<int>(input.positions.rows());
+  const auto vertex_count = static_cast<int>(input.point_count());
   const auto ordered = [&](const auto& corners) {
     BatchOrder order = colour(corners, vertex_count);
     if (tiles && input.settings.threads == 1)
@@ -107,7 +113,7 @@ template <class Real>
 OwnBatch<Real> own_batch(const SimulationInput& input, ConstraintOrder in, int projections) {
   OwnElements list = input.own;
   if (!input.permutation.empty())
-    for (int& v : list.vertices) v = input.permutation[static_cast<std::size_t>(v)];
+    for (int& v : list.vertices) v = permuted(v, input.permutation);
   const std::size_t arity = list.arity;
   std::vector<int> sorted(list.size());
   std::iota(sorted.begin(), sorted.end(), 0);
@@ -119,7 +125,7 @@ OwnBatch<Real> own_batch(const SimulationInput& input, ConstraintOrder in, int p
   for (const int c : sorted)
     std::ranges::copy(list.corners(static_cast<std::size_t>(c)), std::back_inserter(vertices));
   BatchOrder order = in == ConstraintOrder::colour
-                         ? colour_order(vertices, arity, static_cast<int>(input.positions.rows()))
+                         ? colour_order(vertices, arity, static_cast<int>(input.point_count()))
                          : list_order(list.size());
   if (in == ConstraintOrder::colour) order.at_place = std::move(sorted);
   OwnBatch<Real> batch = make_own_batch<Real>(std::move(list), std::move(order));

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/constraints/directors.hpp"
 #include "bendlab/constraints/effective_stiffness.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/own_elements.hpp"
@@ -68,6 +69,8 @@ struct SimulationInput {
   DistanceConstraints distance;
   ElementLists elements;
   OwnElements own;  ///< for methods with MethodKind::takes_own_elements
+  Directors directors;         ///< of the bending model
+  Positions start_directors;   ///< #D by 3, m: at the start; empty: relaxed in the pose at the start
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
   double push_tension = 0;  ///< N/m, by which springs that push stretch the rest shape
@@ -77,6 +80,15 @@ struct SimulationInput {
   /// them. If so, a method with MethodKind::keeps_moves_apart stores moves apart from positions (see Places),
   /// and takes up to a fifth more time.
   bool moves_apart = true;
+
+  // Vertices and directors together are points: first the vertices, then the directors.
+  std::size_t point_count() const { return mass.size() + directors.vertices.size(); }
+  Positions points() const;          ///< #P by 3, m: vertices and directors at the start
+  /// #P by 3, m: vertices at `vertices` (#V by 3, m), and directors with the least energy.
+  Positions points_at(const Positions& vertices) const;
+  Positions rest_points() const;     ///< #P by 3, m; empty if `rest` is empty
+  double mass_of(std::size_t point) const;  ///< kg; see Directors::mass_share
+  bool is_free(std::size_t point) const;    ///< not pinned, and with a mass
 };
 
 struct PassStatistics {

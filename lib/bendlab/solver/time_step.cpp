@@ -33,33 +33,35 @@ void TimeStep<Real>::order_constraints(const SimulationInput& input, const Order
 
 template <class Real>
 void TimeStep<Real>::fill_state(const SimulationInput& input) {
-  const auto count = static_cast<std::size_t>(input.positions.rows());
-  state_.vertex_count = static_cast<int>(count);
+  const std::size_t count = input.point_count();
+  state_.vertex_count = static_cast<int>(input.positions.rows());
+  state_.point_count = static_cast<int>(count);
   state_.origin = input.origin;
   state_.mass.resize(count);
   state_.position.resize(count + dummy_points);
   state_.velocity.resize(count + dummy_points);
+  const Positions start = input.points(), rest = input.rest_points();
   for (std::size_t v = 0; v < count; ++v) {
     const auto row = static_cast<Eigen::Index>(v);
     const std::size_t at = permuted(v);
-    state_.mass[at] = input.mass[v];
-    state_.position[at].set((input.positions.row(row).transpose() - input.origin).template cast<Real>());
-    const bool free = !input.is_pinned[v] && input.mass[v] > 0;
-    state_.position[at].w = free ? static_cast<Real>(1 / input.mass[v]) : Real(0);
-    if (free && input.velocities.rows() > 0)
+    state_.mass[at] = input.mass_of(v);
+    state_.position[at].set((start.row(row).transpose() - origin_of(v)).template cast<Real>());
+    const bool free = input.is_free(v);
+    state_.position[at].w = free ? static_cast<Real>(1 / state_.mass[at]) : Real(0);
+    if (free && row < input.velocities.rows())
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
-  // The corners of a padded SIMD lane are 0 and the unit vectors, so that its element is never collapsed.
+  // The corners of a padded SIMD lane are at different places, so that its element is never collapsed.
   for (int corner = 1; corner < dummy_corners; ++corner)
     for (int lane = 0; lane < max_lanes; ++lane)
       state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
-          Vector3Of<Real>::Unit(corner - 1));
+          Vector3Of<Real>::Unit((corner - 1) % 3) * static_cast<Real>(1 + (corner - 1) / 3));
   state_.previous = state_.position;
-  if (input.rest.rows() == 0) return;
+  if (rest.rows() == 0) return;
   rest_.resize(count + dummy_points);
   for (std::size_t v = 0; v < count; ++v)
     rest_[permuted(v)].set(
-        (input.rest.row(static_cast<Eigen::Index>(v)).transpose() - input.origin).template cast<Real>());
+        (rest.row(static_cast<Eigen::Index>(v)).transpose() - origin_of(v)).template cast<Real>());
 }
 
 template <class Real>

@@ -55,8 +55,14 @@ class TimeStep : public Simulation {
   virtual void substep(PassContext<Real>& context) = 0;
   virtual std::uint64_t projections_per_substep() const = 0;
 
-  std::size_t permuted(std::size_t vertex) const {
-    return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
+  std::size_t permuted(std::size_t point) const {
+    return point < permutation_.size() ? static_cast<std::size_t>(permutation_[point]) : point;
+  }
+  bool is_vertex(std::size_t point) const { return point < static_cast<std::size_t>(state_.vertex_count); }
+  /// What coordinates of a point are relative to: State::origin, but 0 for a director.
+  Vector3 origin_of(std::size_t point) const { return is_vertex(point) ? state_.origin : Vector3::Zero(); }
+  Vector3 world_position(std::size_t point) const {
+    return state_.position[point].vector().template cast<double>() + origin_of(point);
   }
 
   /// Adds a pass of the method (not of an effect) to the end of `passes`.
@@ -74,13 +80,13 @@ class TimeStep : public Simulation {
   /// Tests whether all positions are finite and within bounds. A method calls this at the end of a substep.
   void find_divergence();
 
-  /// Calls task(first, last) on parts of [0, #V), in several threads.
+  /// Calls task(first, last) on parts of [0, #P), in several threads.
   template <class Task>
-  void for_vertices(const Task& task) {
+  void for_points(const Task& task) {
     // About 10 µs of one thread's work. With less work a second thread saves no time.
-    constexpr std::size_t worthwhile_vertices = 16384;
-    const auto count = static_cast<std::size_t>(state_.vertex_count);
-    workers_.for_range(0, count, count >= worthwhile_vertices, task);
+    constexpr std::size_t worthwhile_points = 16384;
+    const auto count = static_cast<std::size_t>(state_.point_count);
+    workers_.for_range(0, count, count >= worthwhile_points, task);
   }
 
   SolverSettings settings_;

@@ -10,7 +10,7 @@ BendingConstraints build(const Bridson&, const BendingInput& input) {
   // The force is k_e edge² / (|N1| + |N2|) (sin θ/2 - sin θ0/2) u, where |N| is twice a triangle's area. So
   // the energy is k_e edge² / (2 area) V with V of HingeAngle::Law::half_sine, at rest lengths and areas.
   std::get<ElementList<HingeAngle>>(constraints.elements) =
-      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::half_sine,
+      angle_constraints(rest_hinges(input.rest, input.pins, input.is_flat), HingeAngle::Law::half_sine,
                         [](const RestHinge& h) { return 2 * h.area / (h.edge * h.edge); });
   return constraints;
 }

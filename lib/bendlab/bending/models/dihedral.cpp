@@ -20,7 +20,7 @@ BendingConstraints build(const Dihedral& settings, const BendingInput& input) {
   const bool uniform = settings.weight == Dihedral::Weight::uniform;
   BendingConstraints constraints;
   std::get<ElementList<HingeAngle>>(constraints.elements) =
-      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
+      angle_constraints(rest_hinges(input.rest, input.pins, input.is_flat), HingeAngle::Law::angle,
                         [&](const RestHinge& h) { return uniform ? 1.0 : h.area / (h.edge * h.edge); });
   return constraints;
 }

@@ -33,12 +33,12 @@ BendingConstraints build(const Isometric& settings, const BendingInput& input) {
   auto& list = std::get<ElementList<QuadraticBend>>(constraints.elements);
   list.law = settings.constraint;
   const bool norm = list.law == QuadraticBend::Law::norm;
-  for (const RestHinge& h : rest_hinges(input.rest, input.pins)) {
+  for (const RestHinge& h : rest_hinges(input.rest, input.pins, input.is_flat)) {
     const std::array<double, 4> k = weights_of(h);
     Vector3 bend = Vector3::Zero();
     for (std::size_t i = 1; i < 4; ++i) bend += k[i] * (h.position[i] - h.position[0]);
     // Rounding of the sum must not count as rest curvature, so flat hinges get exactly 0.
-    const double rest_bend = bend.norm() > 1e-12 * h.edge ? bend.norm() : 0;
+    const double rest_bend = !input.is_flat && bend.norm() > 1e-12 * h.edge ? bend.norm() : 0;
     list.vertices.push_back(h.vertices);
     list.rest.push_back({k[0], k[1], k[2], k[3], rest_bend, h.edge});
     // Q = q KᵀK with q = 3 / area. So C = |Kx| has the energy ½ k q C², and C = ½ |Kx|² is ½ xᵀQx / q.

@@ -83,16 +83,16 @@ class EquilibriumSearch final : public TimeStep<double> {
   EquilibriumSearch(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
       : TimeStep<double>(input, {}),
         system_(input),
-        positions_(input.positions),
+        positions_(input.points()),
         masses_(system_.unknowns()),
         whole_(system_.unknowns() == 0),
         size_(input.size),
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
         last_move_(whole_ ? 0 : size_),
         starting_from_(input.starting_from) {
-    for (std::size_t v = 0; v < input.mass.size(); ++v)
+    for (std::size_t v = 0; v < input.point_count(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
-        masses_.segment<3>(3 * at).setConstant(input.mass[v]);
+        masses_.segment<3>(3 * at).setConstant(input.mass_of(v));
     compile_plan(std::move(effect_passes));
   }
 
@@ -244,12 +244,12 @@ class EquilibriumSearch final : public TimeStep<double> {
     last_move_ = step.cwiseAbs().maxCoeff();
     far_ = convex_ && last_move_ > far_move * size_;
     for (std::size_t v = 0; v < state_.mass.size(); ++v)
-      state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
+      state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - origin_of(v));
     find_divergence();
   }
 
   ElasticSystem system_;
-  Positions positions_;  // #V by 3, m, in world coordinates
+  Positions positions_;  // #P by 3, m, in world coordinates
   VectorXd masses_, loads_, residual_, direction_, multipliers_;
   const Eigen::SparseMatrix<double>* hessian_ = nullptr;
   SupernodalSolver solver_;

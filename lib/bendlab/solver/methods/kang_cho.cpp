@@ -78,7 +78,7 @@ AcrossTangent<Real> across_tangent(Tangent tangent) {
 template <class Real>
 class KangChoStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  using Base::add_pass, Base::append_effects, Base::constraints_, Base::find_divergence, Base::for_vertices,
+  using Base::add_pass, Base::append_effects, Base::constraints_, Base::find_divergence, Base::for_points,
       Base::permuted, Base::run, Base::state_, Base::workers_;
 
  public:
@@ -154,7 +154,7 @@ class KangChoStep final : public TimeStep<Real> {
   void remember_velocities() { std::copy(state_.velocity.begin(), state_.velocity.end(), external_.begin()); }
 
   void take_forces_back() {
-    for_vertices([&](std::size_t first, std::size_t last) {
+    for_points([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Point<Real> start = external_[v], with_forces = state_.velocity[v];
         external_[v].set(with_forces.vector() - start.vector());
@@ -177,7 +177,7 @@ class KangChoStep final : public TimeStep<Real> {
   }
 
   void update(Real h) {
-    for_vertices([&](std::size_t first, std::size_t last) {
+    for_points([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         state_.previous[v] = state_.position[v];
         state_.position[v].set(state_.position[v].vector() + h * state_.velocity[v].vector());

@@ -41,7 +41,7 @@ class NewtonStep final : public ImplicitStep<double> {
   NewtonStep(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
       : ImplicitStep<double>(input, settings_of<Newton>(input), {}),
         system_(input),
-        positions_(input.positions),
+        positions_(input.points()),
         size_(input.size) {
     // Contacts are much stiffer than inertia, but softer than the membrane, so that contacts add no rounding.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
@@ -143,7 +143,7 @@ class NewtonStep final : public ImplicitStep<double> {
   }
 
   ElasticSystem system_;
-  Positions positions_;  // #V by 3, m, in world coordinates
+  Positions positions_;  // #P by 3, m, in world coordinates
   double size_;          // m
   VectorXd multipliers_;
   std::vector<DiagonalBlock> blocks_;  // of contacts

@@ -175,7 +175,7 @@ class PbdStep final : public TimeStep<Real> {
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_pass, Base::append_effects, Base::constraints_, Base::cut_substeps_, Base::find_divergence,
-      Base::for_vertices, Base::run, Base::settings_, Base::state_, Base::workers_;
+      Base::for_points, Base::run, Base::settings_, Base::state_, Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
@@ -206,7 +206,7 @@ class PbdStep final : public TimeStep<Real> {
     state(data_.last_substep);
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
-    const auto count = static_cast<std::size_t>(state_.vertex_count);
+    const auto count = static_cast<std::size_t>(state_.point_count);
     const auto vectors = [&](const Point<Real>* points) {
       std::vector<Vector3> all;
       for (std::size_t v = 0; points != nullptr && v < count; ++v)
@@ -328,10 +328,10 @@ class PbdStep final : public TimeStep<Real> {
                          forward_.back().statistics});
   }
 
-  // Calls action(first, last) on parts of the numbers of all vertices (four each), and waits for all parts.
+  // Calls action(first, last) on parts of the numbers of all points (four each), and waits for all parts.
   template <class Action>
   void for_numbers(const Action& action) {
-    for_vertices([&](std::size_t first, std::size_t last) { action(4 * first, 4 * last); });
+    for_points([&](std::size_t first, std::size_t last) { action(4 * first, 4 * last); });
   }
 
   static Real* numbers(Points<Real>& points) { return &points.front().x; }
@@ -412,7 +412,7 @@ class PbdStep final : public TimeStep<Real> {
     std::ranges::fill(constraints_.own.multiplier, 0.0);
     if (levels_) levels_->begin_substep();
     if constexpr (keeps_remainders) return on_moves_ ? predict_moves(h) : predict_positions(h);
-    for_vertices([&](std::size_t first, std::size_t last) {
+    for_points([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         Point<Real>& p = state_.position[v];
         const Point<Real>& velocity = state_.velocity[v];
@@ -449,7 +449,7 @@ class PbdStep final : public TimeStep<Real> {
       on_moves_ ? update_from_moves(h) : update_from_positions(h);
       return find_divergence();
     }
-    for_vertices([&](std::size_t first, std::size_t last) {
+    for_points([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Point<Real>&p = state_.position[v], &previous = state_.previous[v];
         state_.velocity[v] = {(p.x - previous.x) / h, (p.y - previous.y) / h, (p.z - previous.z) / h, 0};

@@ -94,7 +94,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   QuasiNewtonStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, settings_of<QuasiNewton>(input), input.permutation),
         metric_(input),
-        pairs_(input.mass.size(), static_cast<std::size_t>(settings_of<QuasiNewton>(input).history)),
+        pairs_(input.point_count(), static_cast<std::size_t>(settings_of<QuasiNewton>(input).history)),
         longest_move_(static_cast<Real>(longest_move * input.size)) {
     const QuasiNewton& settings = settings_of<QuasiNewton>(input);
     if (settings.membrane == QuasiNewton::Membrane::automatic)

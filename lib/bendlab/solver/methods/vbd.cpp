@@ -38,7 +38,7 @@ class VbdStep final : public ImplicitStep<double> {
   VbdStep(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
       : ImplicitStep<double>(input, settings_of<Vbd>(input), {}),
         system_(input),
-        positions_(input.positions),
+        positions_(input.points()),
         rho_(settings_of<Vbd>(input).acceleration) {
     compile_plan(std::move(effect_passes), 10, 0);
   }
@@ -62,7 +62,7 @@ class VbdStep final : public ImplicitStep<double> {
     if (rho_ > 0) accelerate(start);
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (system_.free_index()[v] >= 0)
-        state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
+        state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - origin_of(v));
     keep_momentum();
     return data_.is_first_iteration ? first_left(longest) : left_after(longest);
   }
@@ -84,7 +84,7 @@ class VbdStep final : public ImplicitStep<double> {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
     const Vector3 start = row.transpose();
-    Vector3 outside = data_.weight[v] * (data_.target[v].vector() + state_.origin - start);
+    Vector3 outside = data_.weight[v] * (data_.target[v].vector() + origin_of(v) - start);
     Eigen::Matrix3d stiffness = data_.weight[v] * Eigen::Matrix3d::Identity();  // of inertia and contact
     if (data_.contacts.in_use() && data_.contacts.pushes(v)) {
       outside += data_.contacts.force_at(v, start - state_.origin);
@@ -115,7 +115,7 @@ class VbdStep final : public ImplicitStep<double> {
   }
 
   ElasticSystem system_;
-  Positions positions_, before_;       // #V by 3, m, in world coordinates; x_k-1
+  Positions positions_, before_;       // #P by 3, m, in world coordinates; x_k-1
   double rho_, omega_ = 1, last_ = 0;  // last_: the longest move of the last iteration, m
   int iteration_ = 0;
 };

@@ -1,0 +1,155 @@
+#include "bendlab/constraints/directors.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <cmath>
+#include <limits>
+
+#include "bendlab/constraints/corners.hpp"
+#include "bendlab/constraints/energy.hpp"
+
+namespace bendlab {
+namespace {
+
+// Newton's method for the directors alone.
+class Relaxation {
+ public:
+  Relaxation(const Directors& directors, const ElementLists& elements, const OwnElements& own,
+             const Positions& vertices)
+      : directors_(directors), elements_(elements), own_(own), first_(static_cast<int>(vertices.rows())) {
+    unknown_.assign(directors.vertices.size(), -1);
+    for (std::size_t d = 0; d < unknown_.size(); ++d)
+      if (directors.is_pinned[d] == 0) unknown_[d] = directors.coordinates * free_++;
+    free_ *= directors.coordinates;
+  }
+
+  bool has_unknowns() const { return free_ > 0; }
+
+  // Improves the directors among `points` (#P by 3). Returns the longest move, m.
+  double improve(Positions& points) {
+    slope_.setZero(free_);
+    entries_.clear();
+    for (int u = 0; u < free_; ++u) entries_.emplace_back(u, u, 0);
+    for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
+      if constexpr (directors_of<Kind> > 0) add(list, points);
+    });
+    add_own(points);
+    Eigen::SparseMatrix<double> matrix(free_, free_);
+    matrix.setFromTriplets(entries_.begin(), entries_.end());
+    const double mean = matrix.diagonal().cwiseAbs().mean();
+    for (int u = 0; u < free_; ++u)  // a director that no element reads
+      matrix.coeffRef(u, u) += matrix.coeff(u, u) == 0 ? (mean > 0 ? mean : 1) : 1e-14 * mean;
+    if (!is_analysed_) solver_.analyzePattern(matrix), is_analysed_ = true;
+    solver_.factorize(matrix);
+    if (solver_.info() != Eigen::Success) return 0;
+    return move(points, -solver_.solve(slope_).eval());
+  }
+
+ private:
+  double energy(const Positions& points) const {
+    double sum = elastic_energy(own_, points);
+    for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
+      if constexpr (directors_of<Kind> > 0) sum += elastic_energy(list, points);
+    });
+    return sum;
+  }
+
+  int unknown(int point, int coordinate) const {
+    const int d = point - first_;
+    if (d < 0 || coordinate >= directors_.coordinates) return -1;
+    const int first = unknown_[static_cast<std::size_t>(d)];
+    return first < 0 ? -1 : first + coordinate;
+  }
+
+  template <class Kind>
+  void add(const ElementList<Kind>& list, const Positions& points) {
+    for (std::size_t c = 0; c < list.size(); ++c) {
+      const auto p = corners(points, list.vertices[c]);
+      for (std::size_t k = 0; k < Kind::components; ++k) {
+        const auto part = Kind::template component<double>(p, list.rest[c], list.law, k);
+        if (!part.defined) break;
+        for (std::size_t i = Kind::arity - Kind::directors; i < Kind::arity; ++i) {
+          const int row = unknown(list.vertices[c][i], 0);
+          if (row < 0) continue;
+          const double slope = part.gradient[i].x() / list.softness[c];
+          slope_(row) += part.value * slope;
+          for (std::size_t j = Kind::arity - Kind::directors; j < Kind::arity; ++j)
+            if (const int column = unknown(list.vertices[c][j], 0); column >= 0)
+              entries_.emplace_back(row, column, slope * part.gradient[j].x());
+        }
+      }
+    }
+  }
+
+  void add_own(const Positions& points) {
+    if (own_.size() == 0 || own_.directors == 0) return;
+    const OwnValues all = evaluate(own_, points);
+    const std::vector<Eigen::MatrixXd> second = second_derivatives(own_, points);
+    const std::size_t width = 3 * own_.arity, first = 3 * (own_.arity - own_.directors);
+    for (std::size_t c = 0; c < own_.size(); ++c) {
+      const std::span<const int> vertices = own_.corners(c);
+      const auto row_of = [&](std::size_t i) { return unknown(vertices[i / 3], static_cast<int>(i % 3)); };
+      for (std::size_t i = first; i < width; ++i) {
+        const int row = row_of(i);
+        if (row < 0) continue;
+        slope_(row) += all.gradients[c * width + i] / own_.softness[c];
+        for (std::size_t j = first; j < width; ++j)
+          if (const int column = row_of(j); column >= 0)
+            entries_.emplace_back(row, column,
+                                  second[c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) /
+                                      own_.softness[c]);
+      }
+    }
+  }
+
+  // Halves the step until the energy falls.
+  double move(Positions& points, const Eigen::VectorXd& step) const {
+    const double before = energy(points);
+    constexpr int most_halvings = 20;
+    for (int halving = 0; halving <= most_halvings; ++halving) {
+      const double share = std::ldexp(1.0, -halving);
+      Positions moved = points;
+      for (int d = 0; d < directors_.count(); ++d)
+        for (int k = 0; k < directors_.coordinates; ++k)
+          if (const int u = unknown(first_ + d, k); u >= 0) moved(first_ + d, k) += share * step(u);
+      if (!(energy(moved) <= before)) continue;
+      points = std::move(moved);
+      return share * step.cwiseAbs().maxCoeff();
+    }
+    return 0;
+  }
+
+  const Directors& directors_;
+  const ElementLists& elements_;
+  const OwnElements& own_;
+  int first_, free_ = 0;
+  std::vector<int> unknown_;
+  Eigen::VectorXd slope_;
+  std::vector<Eigen::Triplet<double>> entries_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  bool is_analysed_ = false;
+};
+
+}  // namespace
+
+Positions joined(const Positions& vertices, const Positions& directors) {
+  if (directors.rows() == 0) return vertices;
+  Positions points(vertices.rows() + directors.rows(), 3);
+  points << vertices, directors;
+  return points;
+}
+
+Positions relaxed_directors(const Directors& directors, const ElementLists& elements, const OwnElements& own,
+                            const Positions& vertices, const Positions& start) {
+  if (directors.count() == 0) return start;
+  constexpr int most_iterations = 50;
+  Positions points = joined(vertices, start);
+  if (!points.allFinite()) return start;
+  Relaxation relaxation(directors, elements, own, vertices);
+  const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm(),
+               least = 16 * std::numeric_limits<double>::epsilon() * size;
+  for (int i = 0; i < most_iterations && relaxation.has_unknowns(); ++i)
+    if (!(relaxation.improve(points) > least)) break;
+  return points.bottomRows(directors.count());
+}
+
+}  // namespace bendlab
