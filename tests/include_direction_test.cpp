@@ -43,7 +43,8 @@ const std::vector<std::pair<std::string, std::set<std::string>>> experiment_room
     {"export", {"config", "measures", "run"}},
     {"advise", {"config", "measures", "run", "terminal", "campaign"}},
     {"bench", {"config", "measures", "run", "terminal", "campaign"}},
-    {"cli", {"config", "measures", "run", "terminal", "campaign", "export", "advise", "bench"}},
+    {"dialects", {}},
+    {"cli", {"config", "measures", "run", "terminal", "campaign", "export", "advise", "bench", "dialects"}},
 };
 
 /// The names in the #include lines of a file.

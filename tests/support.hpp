@@ -43,6 +43,8 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   BendingConstraints constraints = constraints_of(BendingModel(*find_bending_model(model)), {rest, pins});
   input.distance = std::move(constraints.distance);
   input.elements = std::move(constraints.elements);
+  input.own = std::move(constraints.own);
+  input.directors = std::move(constraints.directors);
   return input;
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("models state whether they consist of springs alone, and whether they 
   for (const BendingKind* model : bending_models()) {
     INFO(model->name);
     const BendingConstraints built = constraints_of(BendingModel(*model), {rest, make_pins(rest, {0}, 0)});
-    CHECK(model->springs_only == (element_count(built.elements) == 0));
+    CHECK(model->springs_only == (element_count(built.elements) + built.own.size() == 0));
     std::size_t one_sided = 0;
     for_each_kind(built.elements, [&]<class Kind>(const ElementList<Kind>& list) {
       if constexpr (OneSided<Kind>) one_sided += list.size();

@@ -23,7 +23,11 @@ inline BendingConstraints built(std::string_view model, const RestMesh& rest, co
 
 /// Bending energy, J, at compliance 1.
 inline double energy(const BendingConstraints& constraints, const Positions& positions) {
-  return elastic_energy(constraints.distance, positions) + elastic_energy(constraints.elements, positions);
+  const Directors& directors = constraints.directors;
+  const Positions points = joined(positions, relaxed_directors(directors, constraints.elements,
+                                                               constraints.own, positions, directors.rest));
+  return elastic_energy(constraints.distance, points) + elastic_energy(constraints.elements, points) +
+         elastic_energy(constraints.own, points);
 }
 
 /// A flat sheet laid on a cylinder of curvature κ, whose axis is at `angle` to the x axis.

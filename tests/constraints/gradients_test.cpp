@@ -1,6 +1,7 @@
 // The gradient of every constraint agrees with central differences, and has the invariances of the
 // constraint.
 #include <functional>
+#include <numbers>
 
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/oracle.hpp"
@@ -30,8 +31,9 @@ Corners<N> difference_gradient(const Constraint<N>& constraint, const Corners<N>
   return gradient;
 }
 
+/// The last `directors` corners do not move with the cloth.
 template <std::size_t N>
-void check_gradient(const Constraint<N>& constraint, const Corners<N>& p) {
+void check_gradient(const Constraint<N>& constraint, const Corners<N>& p, std::size_t directors = 0) {
   const ConstraintValue<double, N> c = constraint(p);
   REQUIRE(c.defined);
   const Corners<N> expected = difference_gradient(constraint, p);
@@ -40,6 +42,7 @@ void check_gradient(const Constraint<N>& constraint, const Corners<N>& p) {
   for (std::size_t i = 0; i < N; ++i) {
     largest = std::max(largest, expected[i].norm());
     error = std::max(error, (c.gradient[i] - expected[i]).norm());
+    if (i >= N - directors) continue;
     sum += c.gradient[i];
     moment += p[i].cross(c.gradient[i]);
   }
@@ -89,12 +92,14 @@ TEST_CASE("strain gradients agree with differences", "[constraints]") {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 100; ++trial) {
     const auto [p, q] = random_triangle(random);
-    for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
+    for (const StrainForm form :
+         {StrainForm::normalised, StrainForm::green, StrainForm::angle, StrainForm::stvk}) {
       for (const int axis : {0, 1})
         check_gradient<3>([&](const Corners<3>& x) { return stretch_constraint(x, q, axis, form); }, p);
       check_gradient<3>([&](const Corners<3>& x) { return shear_constraint(x, q, form); }, p);
     }
     check_gradient<3>([&](const Corners<3>& x) { return area_constraint(x, q); }, p);
+    check_gradient<3>([&](const Corners<3>& x) { return trace_constraint(x, q); }, p);
   }
 }
 
@@ -118,7 +123,8 @@ TEST_CASE("hinge gradients agree with differences", "[constraints]") {
     const Corners<4> p = random_hinge(random);
     check_gradient<4>([](const Corners<4>& x) { return hinge_angle(x, 0.7); }, p);
     for (const double rest : {0.0, 0.9, -2.0})
-      for (const auto law : {HingeAngle::Law::angle, HingeAngle::Law::half_sine}) {
+      for (const auto law : {HingeAngle::Law::angle, HingeAngle::Law::half_sine, HingeAngle::Law::tangent,
+                             HingeAngle::Law::sine}) {
         const std::array<double, 4> values = {rest, 0.7, std::sin(rest / 2), std::cos(rest / 2)};
         if (std::abs(hinge_angle(p, 0.7).value - rest) <
             3.0)  // else it may jump by 2π between the two differences
@@ -137,13 +143,81 @@ TEST_CASE("hinge gradients agree with differences", "[constraints]") {
   }
 }
 
+namespace {
+
+// A triangle with three neighbours, whose folds and heights are far from the limits, and its directors.
+template <class Kind>
+Corners<Kind::arity> random_face(std::mt19937_64& random) {
+  const double h = std::numbers::sqrt3 / 2;
+  const std::array<Vector3, 6> flat = {Vector3(1.5, h, 0), Vector3(-0.5, h, 0), Vector3(0.5, -h, 0),
+                                       Vector3(0, 0, 0),   Vector3(1, 0, 0),    Vector3(0.5, h, 0)};
+  Corners<Kind::arity> p;
+  const Vector3 shift = test::random_vector(random);
+  for (std::size_t i = 0; i < 6; ++i) p[i] = flat[i] + shift + test::random_vector(random, 0.25);
+  for (std::size_t i = 6; i < Kind::arity; ++i) p[i] = {test::uniform(random, -0.3, 0.3), 0, 0};
+  return p;
+}
+
+template <class Kind>
+std::array<double, Kind::rest_values> random_rest(std::mt19937_64& random, std::size_t border) {
+  std::array<double, Kind::rest_values> rest;
+  for (double& value : rest) value = test::uniform(random, 0.2, 1);
+  for (std::size_t i = 0; i < 3; ++i) rest[i] = i == border ? 0 : 0.5;
+  return rest;
+}
+
+template <class Kind>
+void check_faces(std::initializer_list<typename Kind::Law> laws) {
+  std::mt19937_64 random(21);
+  for (int trial = 0; trial < 60; ++trial)
+    for (const auto law : laws) {
+      const auto p = random_face<Kind>(random);
+      const auto rest = random_rest<Kind>(random, static_cast<std::size_t>(trial % 5));
+      for (std::size_t k = 0; k < Kind::components; ++k)
+        check_gradient<Kind::arity>(
+            [&](const Corners<Kind::arity>& x) { return Kind::template component<double>(x, rest, law, k); },
+            p, directors_of<Kind>);
+      check_gradient<Kind::arity>(
+          [&](const Corners<Kind::arity>& x) { return Kind::template value<double>(x, rest, law); }, p,
+          directors_of<Kind>);
+      double squares = 0;
+      for (std::size_t k = 0; k < Kind::components; ++k)
+        squares += std::pow(Kind::template component<double>(p, rest, law, k).value, 2);
+      CHECK_THAT(Kind::template value<double>(p, rest, law).value,
+                 Catch::Matchers::WithinRel(std::sqrt(squares), 1e-12));  // rounding of three squares
+    }
+}
+
+}  // namespace
+
+TEST_CASE("gradients of bent triangles agree with differences", "[constraints]") {
+  check_faces<FoldBend>(
+      {FoldBend::Law::tangent, FoldBend::Law::sine, FoldBend::Law::angle, FoldBend::Law::height});
+  check_faces<MidEdgeBend>({MidEdgeBend::Law::tangent, MidEdgeBend::Law::sine, MidEdgeBend::Law::angle});
+}
+
+TEST_CASE("measures of a turn agree for small angles, and go on beyond their limits", "[constraints]") {
+  for (const Turn measure : {Turn::tangent, Turn::sine, Turn::angle}) {
+    CHECK_THAT(turn_of(measure, 1e-4).value, Catch::Matchers::WithinRel(1e-4, 1e-8));  // of third order
+    for (const double angle : {-3.0, -1.5, -0.7, 0.2, 1.3, 1.5, 2.5}) {
+      constexpr double step = 1e-6;
+      const double slope =
+          (turn_of(measure, angle + step).value - turn_of(measure, angle - step).value) / (2 * step);
+      CHECK_THAT(turn_of(measure, angle).slope, Catch::Matchers::WithinAbs(slope, 1e-7));
+    }
+  }
+  CHECK(turn_of(Turn::sine, 2.0).value == 1);
+  CHECK_THAT(turn_of(Turn::tangent, 1.0).value, Catch::Matchers::WithinRel(std::tan(1.0), 1e-15));
+}
+
 TEST_CASE("strain constraints vanish at rest and under rigid motion", "[constraints]") {
   std::mt19937_64 random(3);
   const std::array<double, 4> q = {1, -0.5, 0, 2};  // Q = [1 0.25; 0 0.5]
   const Eigen::Matrix3d rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.1).normalized().toRotationMatrix();
   const Vector3 shift = test::random_vector(random);
   const Corners<3> p = {shift, shift + rotation * Vector3(1, 0, 0), shift + rotation * Vector3(0.25, 0.5, 0)};
-  for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
+  for (const StrainForm form :
+       {StrainForm::normalised, StrainForm::green, StrainForm::angle, StrainForm::stvk}) {
     // Rounding of rotated unit coordinates.
     CHECK_THAT(stretch_constraint(p, q, 0, form).value, Catch::Matchers::WithinAbs(0, 1e-14));
     CHECK_THAT(stretch_constraint(p, q, 1, form).value, Catch::Matchers::WithinAbs(0, 1e-14));

@@ -13,8 +13,21 @@ struct SmoothModel {
   double compliance;
 };
 inline const std::vector<SmoothModel> smooth_models = {
-    {"none", 1},       {"crossover", 0.1}, {"k_ring", 0.2},          {"adaptive", 0.2}, {"lod", 0.2},
-    {"sparse_lod", 1}, {"dihedral", 100},  {"discrete_shells", 100}, {"bridson", 100},  {"isometric", 100},
+    {"none", 1},
+    {"crossover", 0.1},
+    {"k_ring", 0.2},
+    {"adaptive", 0.2},
+    {"lod", 0.2},
+    {"sparse_lod", 1},
+    {"dihedral", 100},
+    {"discrete_shells", 100},
+    {"bridson", 100},
+    {"isometric", 100},
+    {"mid_edge", 100},
+    {"mid_edge_average", 100},
+    {"corotational_face", 100},
+    {"corotational_edge", 100},
+    {"laplacian", 100},
 };
 
 inline SimulationInput compliant(SimulationInput input, std::string_view method, double strain,

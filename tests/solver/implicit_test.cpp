@@ -92,19 +92,18 @@ TEMPLATE_TEST_CASE("the forces of the kernels are minus the gradient of the ener
       input.strain_stiffness.form = form, input.strain_stiffness.area = 1;
       disturb(input, 0.05);
       const auto constraints = ordered_constraints<TestType>(input, nullptr);
-      const auto count = static_cast<std::size_t>(input.positions.rows());
+      input.start_directors = input.directors.rest;
+      if (input.directors.count() > 0) input.start_directors.col(0).setConstant(0.01);
+      const Positions start = input.points();
+      const std::size_t count = input.point_count();
       Points<TestType> points(count + dummy_points), forces(count + dummy_points);
       for (std::size_t v = 0; v < count; ++v)
-        points[v].set(input.positions.row(static_cast<Eigen::Index>(v)).transpose().cast<TestType>());
-      for (int corner = 1; corner < dummy_corners; ++corner)
-        for (int lane = 0; lane < max_lanes; ++lane)
-          points[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
-              Vector3Of<TestType>::Unit(corner - 1));
+        points[v].set(start.row(static_cast<Eigen::Index>(v)).transpose().cast<TestType>());
       constraints.for_each([&](const auto& batch) {
         add_forces(points.data(), forces.data(), batch, 0, batch.order.stack_count());
       });
       const ElasticSystem system(input);
-      const Eigen::VectorXd gradient = system.gradient(input.positions);
+      const Eigen::VectorXd gradient = system.gradient(start);
       INFO(model.name << ", " << strain_form_names[static_cast<std::size_t>(form)]);
       for (std::size_t v = 0; v < count; ++v)
         if (const int at = system.free_index()[v]; at >= 0)

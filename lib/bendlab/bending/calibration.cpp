@@ -41,15 +41,15 @@ constexpr bool shortens = std::is_same_v<Kind, ArcSpring>;
 
 // Kinds whose softness is 1 / D: they have the rigidity D without a fit.
 template <class Kind>
-constexpr bool is_exact = std::is_same_v<Kind, FoldBend> || std::is_same_v<Kind, MidEdgeBend> ||
-                          std::is_same_v<Kind, LaplacianBend>;
+constexpr bool by_formula = std::is_same_v<Kind, FoldBend> || std::is_same_v<Kind, MidEdgeBend> ||
+                            std::is_same_v<Kind, LaplacianBend>;
 
 template <class... Kinds>
 constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
-  return ((folds<Kinds> || shortens<Kinds> || is_exact<Kinds>)&&...);
+  return ((folds<Kinds> || shortens<Kinds> || by_formula<Kinds>)&&...);
 }
 static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
-              "a new kind of constraint needs a calibration, too: name it in folds, shortens or is_exact");
+              "a new kind of constraint needs a calibration, too: name it in folds, shortens or by_formula");
 
 class Calibration {
  public:
@@ -82,13 +82,14 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
-  // Elements of exact kinds and own elements have a softness for a rigidity of 1 N m, so they need no fit.
-  void scale_exact_elements() {
-    std::size_t exact = constraints_.own.size();
+  // Elements of kinds by formula and own elements have a softness for a rigidity of 1 N m, so they need no
+  // fit.
+  void scale_elements_by_formula() {
+    std::size_t count = constraints_.own.size();
     for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-      if (is_exact<Kind>) exact += list.size();
+      if (by_formula<Kind>) count += list.size();
     });
-    if (exact == 0) return;
+    if (count == 0) return;
     if (target_.deflection != Deflection::large)
       throw std::invalid_argument(
           "this model has its flexural_rigidity by a formula, for a sheet that is bent to a cylinder: set "
@@ -100,7 +101,7 @@ class Calibration {
     };
     divide(constraints_.own.softness);
     for_each_kind(constraints_.elements, [&]<class Kind>(ElementList<Kind>& list) {
-      if constexpr (is_exact<Kind>) divide(list.softness);
+      if constexpr (by_formula<Kind>) divide(list.softness);
     });
   }
 
@@ -185,11 +186,11 @@ class Calibration {
           bent.row(v) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
         }
         const Positions points =
-            joined(bent, relaxed_directors(constraints_.directors, constraints_.elements, constraints_.own, bent,
-                                           upright(constraints_.directors)));
+            joined(bent, relaxed_directors(constraints_.directors, constraints_.elements, constraints_.own,
+                                           bent, upright(constraints_.directors)));
         energy = elastic_energy(constraints_.own, points);
         for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-          if constexpr (is_exact<Kind>) energy += elastic_energy(list, points);
+          if constexpr (by_formula<Kind>) energy += elastic_energy(list, points);
         });
       } else {
         energy = energy_apart(constraints_.own, plane, d, curvature);
@@ -453,7 +454,7 @@ void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins
                const CalibrationTarget& target) {
   Calibration calibration(constraints, rest, pins, target);
   calibration.meet();
-  calibration.scale_exact_elements();
+  calibration.scale_elements_by_formula();
 }
 
 }  // namespace bendlab

@@ -30,7 +30,7 @@ struct BendingFact {
 struct BendingConstraints {
   DistanceConstraints distance;
   ElementLists elements;
-  OwnElements own;  ///< evaluated by a function that the model provides
+  OwnElements own;      ///< evaluated by a function that the model provides
   Directors directors;  ///< unknowns besides the vertices; the elements name director d as point #V + d
   std::vector<BendingFact> facts;
 };
@@ -71,9 +71,9 @@ struct BendingKind {
   /// no strain. `strain_of_k_remedy` is a sentence about the remedy that helped in tests.
   double (*strain_of_k)(const void* settings, double k) = nullptr;
   std::string_view strain_of_k_remedy = {};
-  /// Whether a flat sheet that is bent to a cylinder has the rigidity D at a compliance of 1 / D, so that
-  /// calibrate() need not fit the stiffness of each constraint.
-  bool rigidity_is_exact = false;
+  /// Whether a formula gives the softness of each element for a rigidity D, so that calibrate() fits nothing.
+  /// The sheet then has D at large deflections as nearly as the formula and the mesh allow.
+  bool rigidity_by_formula = false;
   bool takes_poisson_ratio = false;  ///< build() reads BendingInput::poisson_ratio
   /// Whether this model, calibrated to a stated rigidity, is the reference for all other models.
   bool is_reference = false;

@@ -88,6 +88,16 @@ inline constexpr int dummy_corners = 13;
 /// collapsed constraint. The kernel would project its pack a second time, which takes time.
 inline constexpr int dummy_points = dummy_corners * max_lanes;
 
+/// Sets the positions of the dummy points, which begin at points[first]. The corners of a padded lane are at
+/// different places.
+template <class Real>
+void place_dummies(Points<Real>& points, std::size_t first) {
+  for (int corner = 1; corner < dummy_corners; ++corner)
+    for (int lane = 0; lane < max_lanes; ++lane)
+      points[first + static_cast<std::size_t>(corner * max_lanes + lane)].set(
+          Vector3Of<Real>::Unit((corner - 1) % 3) * static_cast<Real>(1 + (corner - 1) / 3));
+}
+
 template <class Real>
 struct DistanceBatch {
   BatchOrder order;
@@ -112,13 +122,31 @@ enum class StrainForm {
   /// and weft, asin(S_ij / (|f_i| |f_j|)). The gradient of this difference is 1 / |f| at any angle. The
   /// cosine in `normalised` has no gradient for parallel warp and weft, so its projections overshoot.
   angle,
+  /// S_ii - 1 and S_ij, like green, but with the stiffnesses of an isotropic sheet: with the Green strain E
+  /// the energy per area is ½ Y ((1 - ν) |E|² + ν (tr E)²), Y = E h / (1 - ν²) (Saint Venant-Kirchhoff).
+  /// The compliance is 1 / (Y (1 - ν)). A fourth term, C = S_11 + S_22 - 2, takes the place of the area.
+  stvk,
 };
-inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
+inline constexpr std::array<std::string_view, 4> strain_form_names = {"normalised", "green", "angle", "stvk"};
 
-/// The α of stretch divided by the α of shear. This ratio gives all forms the same stiffness at rest,
-/// although S_ii - 1 of `green` is about 2 (√S_ii - 1).
+/// Whether the form measures stretch by S_ii - 1 and shear by S_ij.
+constexpr bool is_green(StrainForm form) {
+  return form == StrainForm::green || form == StrainForm::stvk;
+}
+
+/// The α of stretch and of shear, divided by compliance / rest area. All forms have the same stiffness of
+/// stretch at rest, although S_ii - 1 is about 2 (√S_ii - 1). All forms but stvk have equal stiffnesses of
+/// stretch and shear.
 constexpr int stretch_softness(StrainForm form) {
-  return form == StrainForm::green ? 4 : 1;
+  return is_green(form) ? 4 : 1;
+}
+constexpr int shear_softness(StrainForm form) {
+  return form == StrainForm::stvk ? 2 : 1;
+}
+/// The α of the fourth term, divided by compliance / rest area. For stvk, `area` is ν / (1 - ν).
+template <class Real>
+constexpr Real area_softness(StrainForm form, Real area) {
+  return form == StrainForm::stvk ? 4 / area : Real(1);
 }
 
 template <class Real>
@@ -130,7 +158,8 @@ struct StrainBatch {
   LargeArray<Real> multiplier;          ///< λ of all warps, then wefts, shears and areas; XPBD only
   StrainForm form = StrainForm::normalised;
   StiffnessKind kind = StiffnessKind::k;
-  Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)
+  /// Fractions per projection (XPBD: 0 switches a term off). For StrainForm::stvk, `area` is ν / (1 - ν).
+  Real warp = 1, weft = 1, shear = 1, area = 0;
   Real compliance = 0;  ///< inverse membrane stiffness, m/N; a triangle's α is compliance / rest area
   std::size_t count = 0;
   /// Collapsed triangles open towards this rest shape; null: collapsed triangles do not open.

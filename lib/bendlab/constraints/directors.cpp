@@ -30,7 +30,7 @@ class Relaxation {
     entries_.clear();
     for (int u = 0; u < free_; ++u) entries_.emplace_back(u, u, 0);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
-      if constexpr (directors_of<Kind> > 0) add(list, points);
+      if constexpr (directors_of < Kind >> 0) add(list, points);
     });
     add_own(points);
     Eigen::SparseMatrix<double> matrix(free_, free_);
@@ -48,7 +48,7 @@ class Relaxation {
   double energy(const Positions& points) const {
     double sum = elastic_energy(own_, points);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
-      if constexpr (directors_of<Kind> > 0) sum += elastic_energy(list, points);
+      if constexpr (directors_of < Kind >> 0) sum += elastic_energy(list, points);
     });
     return sum;
   }
@@ -83,8 +83,8 @@ class Relaxation {
   void add_own(const Positions& points) {
     if (own_.size() == 0 || own_.directors == 0) return;
     const OwnValues all = evaluate(own_, points);
-    const std::vector<Eigen::MatrixXd> second = second_derivatives(own_, points);
     const std::size_t width = 3 * own_.arity, first = 3 * (own_.arity - own_.directors);
+    const std::vector<Eigen::MatrixXd> second = second_derivatives(own_, points, first);
     for (std::size_t c = 0; c < own_.size(); ++c) {
       const std::span<const int> vertices = own_.corners(c);
       const auto row_of = [&](std::size_t i) { return unknown(vertices[i / 3], static_cast<int>(i % 3)); };
@@ -94,9 +94,9 @@ class Relaxation {
         slope_(row) += all.gradients[c * width + i] / own_.softness[c];
         for (std::size_t j = first; j < width; ++j)
           if (const int column = row_of(j); column >= 0)
-            entries_.emplace_back(row, column,
-                                  second[c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) /
-                                      own_.softness[c]);
+            entries_.emplace_back(
+                row, column,
+                second[c](static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) / own_.softness[c]);
       }
     }
   }
@@ -129,6 +129,24 @@ class Relaxation {
   bool is_analysed_ = false;
 };
 
+// Directors with three coordinates are normals at vertices. A normal that is far from its triangles' normals
+// may relax to their other side, so the search starts with the mean of these normals.
+Positions upright_normals(const Directors& directors, const OwnElements& own, const Positions& vertices,
+                          const Positions& start) {
+  Positions sum = Positions::Zero(start.rows(), 3), normals = start;
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    const std::span<const int> corner = own.corners(c);
+    const auto p = [&](std::size_t i) -> Vector3 { return vertices.row(corner[i]).transpose(); };
+    const Vector3 normal = (p(1) - p(0)).cross(p(2) - p(0));
+    for (std::size_t i = own.arity - own.directors; i < own.arity; ++i)
+      sum.row(corner[i] - static_cast<int>(vertices.rows())) += normal.transpose();
+  }
+  for (Eigen::Index d = 0; d < sum.rows(); ++d)
+    if (directors.is_pinned[static_cast<std::size_t>(d)] == 0 && sum.row(d).norm() > 0)
+      normals.row(d) = start.row(d).norm() * sum.row(d).normalized();
+  return normals;
+}
+
 }  // namespace
 
 Positions joined(const Positions& vertices, const Positions& directors) {
@@ -142,7 +160,8 @@ Positions relaxed_directors(const Directors& directors, const ElementLists& elem
                             const Positions& vertices, const Positions& start) {
   if (directors.count() == 0) return start;
   constexpr int most_iterations = 50;
-  Positions points = joined(vertices, start);
+  Positions points =
+      joined(vertices, directors.coordinates == 3 ? upright_normals(directors, own, vertices, start) : start);
   if (!points.allFinite()) return start;
   Relaxation relaxation(directors, elements, own, vertices);
   const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm(),

@@ -72,8 +72,10 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& s
     };
     add_term(0, batch.warp, stretch_constraint(p, q, 0, batch.form), stretch_alpha);
     add_term(1, batch.weft, stretch_constraint(p, q, 1, batch.form), stretch_alpha);
-    add_term(2, batch.shear, shear_constraint(p, q, batch.form), alpha);
-    if (batch.area != 0) add_term(3, batch.area, area_constraint(p, q), alpha);
+    add_term(2, batch.shear, shear_constraint(p, q, batch.form), shear_softness(batch.form) * alpha);
+    if (batch.area != 0)
+      add_term(3, batch.area, area_term(p, q, batch.form),
+               area_softness(batch.form, static_cast<double>(batch.area)) * alpha);
   });
   return work;
 }

@@ -44,7 +44,8 @@ double elastic_energy(const ElementLists& lists, const Positions& positions) {
   return sum;
 }
 
-double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions) {
+double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions,
+                      double area_stiffness) {
   double sum = 0;
   for (std::size_t t = 0; t < list.size(); ++t) {
     const std::array<double, 4>& q = list.inverse_rest[t];
@@ -54,7 +55,9 @@ double elastic_energy(const StrainConstraints& list, StrainForm form, const Posi
       if (term.defined) sum += 0.5 * area / softness * term.value * term.value;
     };
     for (const int column : {0, 1}) add(stretch_constraint(p, q, column, form), stretch_softness(form));
-    add(shear_constraint(p, q, form), 1);
+    add(shear_constraint(p, q, form), shear_softness(form));
+    if (form == StrainForm::stvk && area_stiffness > 0)
+      add(trace_constraint(p, q), area_softness(form, area_stiffness));
   }
   return sum;
 }

@@ -15,7 +15,9 @@ double elastic_energy(const ElementList<Kind>& list, const Positions& positions)
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
 /// Elastic energy of warp, weft and shear in the given form, in J times the scene's compliance. The α of
-/// shear is compliance / rest area, and the α of warp and weft is stretch_softness() times as large.
-double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
+/// Each α is compliance / rest area, times stretch_softness(), shear_softness() or area_softness(). `area`:
+/// of StrainForm::stvk (batches.hpp); other forms leave out the area.
+double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions,
+                      double area = 0);
 
 }  // namespace bendlab

@@ -130,7 +130,7 @@ typename FaceBend<N>::template EdgeTurn<Real> FaceBend<N>::edge_turn(const Point
     const Vector3Of<Real> offset = p[i] - start, beyond = offset.cross(e);
     const Real twice_area_beyond = beyond.norm();
     const Real most = overgrown_square<Real> * rest[12] * rest[12];
-    if (!(twice_area_beyond > least * least && offset.squaredNorm() < most))
+    if (!(twice_area_beyond > least * rest[12] && offset.squaredNorm() < most))
       return {.tilt = {}, .defined = false};
     normal_beyond = beyond / twice_area_beyond;
     height_beyond = twice_area_beyond / length;
@@ -162,7 +162,7 @@ typename FaceBend<N>::template Turns<Real> FaceBend<N>::all_turns(const Points<R
   const Vector3Of<Real> e1 = p[4] - p[3], e2 = p[5] - p[3], n = e1.cross(e2);
   const Real twice_area = n.norm(), least = collapsed_ratio<Real> * rest[12],
              most = overgrown_square<Real> * rest[12] * rest[12];
-  if (!(twice_area > least * least && e1.squaredNorm() < most && e2.squaredNorm() < most)) return turns;
+  if (!(twice_area > least * rest[12] && e1.squaredNorm() < most && e2.squaredNorm() < most)) return turns;
   for (std::size_t i = 0; i < 3; ++i) {
     turns.edge[i] = edge_turn<Real>(p, rest, law, i, n / twice_area, twice_area);
     if (!turns.edge[i].defined) return turns;

@@ -21,7 +21,8 @@ BENDLAB_INLINE PackEdgeTurn<Real> edge_turn(const std::array<PackPoints<Real>, K
                                             std::size_t i, const PackVector<Real>& normal,
                                             const Pack<Real>& twice_area) {
   using P = Pack<Real>;
-  const P one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[12], zero{};
+  const P one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[12], least_area = least * rest[12],
+          zero{};
   const PackVector<Real> start = p[3 + (i + 1) % 3].position, e = p[3 + (i + 2) % 3].position - start;
   PackEdgeTurn<Real> turn;
   const P squared = dot(e, e);
@@ -33,7 +34,7 @@ BENDLAB_INLINE PackEdgeTurn<Real> edge_turn(const std::array<PackPoints<Real>, K
   const PackVector<Real> offset = p[i].position - start, beyond = cross(offset, e);
   const PackMask<Real> has_neighbour = share > zero;
   const P square_beyond = dot(beyond, beyond);
-  const PackMask<Real> large = (square_beyond > least * least * least * least) &
+  const PackMask<Real> large = (square_beyond > least_area * least_area) &
                               (dot(offset, offset) < overgrown_square<Real> * rest[12] * rest[12]);
   turn.defined = turn.defined & (large | ~has_neighbour);
   const PackMask<Real> folds = has_neighbour & large;
@@ -76,7 +77,8 @@ struct FaceKernel : ElasticKernel<Scalar, Kind> {
   BENDLAB_INLINE static P rest_size_squared(const Rest& rest) { return rest[12] * rest[12]; }
 
   BENDLAB_INLINE static PackConstraint<Real, Kind::arity> evaluate(const Corners& p, const Rest& rest) {
-    const P zero{}, one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[12],
+    const P zero{}, one = broadcast<Real>(1),
+                    least_area = collapsed_ratio<Real> * rest[12] * rest[12],
                     most = overgrown_square<Real> * rest[12] * rest[12];
     const PackVector<Real> e1 = p[4].position - p[3].position, e2 = p[5].position - p[3].position,
                            n = cross(e1, e2);
@@ -85,7 +87,7 @@ struct FaceKernel : ElasticKernel<Scalar, Kind> {
     // A padded lane has the length 0. It counts as defined, so that its pack is projected only once.
     const PackMask<Real> padded = rest[12] == zero;
     const PackMask<Real> sound =
-        (square > least * least * least * least) & (dot(e1, e1) < most) & (dot(e2, e2) < most);
+        (square > least_area * least_area) & (dot(e1, e1) < most) & (dot(e2, e2) < most);
     const P per_area = inverse_square_root(sound ? square : one);
     const PackVector<Real> normal = scaled<Real>(per_area, n);
     const P twice_area = (sound ? square : one) * per_area;

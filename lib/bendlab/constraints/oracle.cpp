@@ -154,9 +154,12 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
     apply(0, batch.warp, stretch_alpha, warp);
     apply(1, batch.weft, stretch_alpha, weft);
     apply(
-        2, batch.shear, alpha, [&](const auto& x) { return shear_constraint(x, q, batch.form); },
+        2, batch.shear, static_cast<Real>(shear_softness(batch.form)) * alpha,
+        [&](const auto& x) { return shear_constraint(x, q, batch.form); },
         batch.form == StrainForm::normalised ? largest_published_move : largest_move);
-    apply(3, batch.area, alpha, [&](const auto& x) { return area_constraint(x, q); });
+    if (batch.area != 0)
+      apply(3, batch.area, area_softness(batch.form, batch.area) * alpha,
+            [&](const auto& x) { return area_term(x, q, batch.form); });
   });
 }
 

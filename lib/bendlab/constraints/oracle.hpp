@@ -24,8 +24,8 @@ struct Corner {
   void move(const Vector3Of<Real>& way) { moved->set(moved->vector() + way); }
 };
 
-/// The corners at these offsets. The last `directors` corners are directors (directors.hpp), which are relative
-/// to nothing.
+/// The corners at these offsets. The last `directors` corners are directors (directors.hpp), which are
+/// relative to nothing.
 template <class Real, std::size_t N>
 std::array<Corner<Real>, N> corners_at(const Places<Real>& places, const std::array<int, N>& offsets,
                                        std::size_t directors = 0) {
@@ -91,7 +91,7 @@ std::array<Vector3Of<Real>, 3> corner_gradients(const Vector3Of<Real>& of_b, con
 /// Stretch along material axis `i` (0 warp, 1 weft), f = f_i, S_ii = |f|²:
 ///
 ///   normalised, angle   C = √S_ii - 1   ∂C/∂f = f / |f|   (SBD 2014, eq. 14)
-///   green               C = S_ii - 1    ∂C/∂f = 2 f       (eq. 9)
+///   green, stvk         C = S_ii - 1    ∂C/∂f = 2 f       (eq. 9)
 ///
 /// The corners b and c have the gradients q[i] ∂C/∂f and q[2 + i] ∂C/∂f; ∇_a C = -∇_b C - ∇_c C.
 template <class Real>
@@ -102,7 +102,7 @@ ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>
   const Real length = f.norm();
   if (!(length > collapsed_ratio<Real>)) return {.value = -1, .gradient = {}, .defined = false};
   if (!(length * length < overgrown_square<Real>)) return {.gradient = {}, .defined = false};
-  const bool normalised = form != StrainForm::green;
+  const bool normalised = !is_green(form);
   const Vector3Of<Real> by_f = normalised ? Vector3Of<Real>(f / length) : Vector3Of<Real>(2 * f);  // ∂C/∂f
   return {normalised ? length - 1 : length * length - 1,
           detail::corner_gradients<Real>(q[column] * by_f, q[2 + column] * by_f)};
@@ -110,7 +110,7 @@ ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>
 
 /// Shear, with n_i = f_i / |f_i| and φ the angle between warp and weft:
 ///
-///   green        C = S_12 = f1·f2         ∂C/∂f1 = a1 = f2                              (SBD 2014, eq. 10)
+///   green, stvk  C = S_12 = f1·f2         ∂C/∂f1 = a1 = f2                              (SBD 2014, eq. 10)
 ///   normalised   C = cos φ = n1·n2        ∂C/∂f1 = a1 = (n2 - cos φ n1) / |f1|          (eq. 15)
 ///   angle        C = asin cos φ           ∂C/∂f1 = a1 = (n2 - cos φ n1) / (|f1| sin φ)  (not from a paper)
 ///
@@ -120,7 +120,7 @@ template <class Real>
 ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                           const std::array<Real, 4>& q, StrainForm form) {
   const auto [f1, f2] = deformation_gradient(p, q);
-  if (form == StrainForm::green) {
+  if (is_green(form)) {
     const Real trace = f1.squaredNorm() + f2.squaredNorm();  // S_11 + S_22
     if (!(trace > collapsed_ratio<Real> * collapsed_ratio<Real> && trace < overgrown_square<Real>))
       return {.gradient = {}, .defined = false};
@@ -158,6 +158,25 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
   const Vector3Of<Real> n = normal / twice_area;
   return {twice_area * inverse_rest - 1,
           detail::corner_gradients<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
+}
+
+/// C = S_11 + S_22 - 2, ∂C/∂f_i = 2 f_i: the fourth term of StrainForm::stvk.
+template <class Real>
+ConstraintValue<Real, 3> trace_constraint(const std::array<Vector3Of<Real>, 3>& p,
+                                          const std::array<Real, 4>& q) {
+  const auto [f1, f2] = deformation_gradient(p, q);
+  const Real trace = f1.squaredNorm() + f2.squaredNorm();
+  if (!(trace > collapsed_ratio<Real> * collapsed_ratio<Real> && trace < overgrown_square<Real>))
+    return {.gradient = {}, .defined = false};
+  return {trace - 2,
+          detail::corner_gradients<Real>(2 * (q[0] * f1 + q[1] * f2), 2 * (q[2] * f1 + q[3] * f2))};
+}
+
+/// The fourth term of a form.
+template <class Real>
+ConstraintValue<Real, 3> area_term(const std::array<Vector3Of<Real>, 3>& p, const std::array<Real, 4>& q,
+                                   StrainForm form) {
+  return form == StrainForm::stvk ? trace_constraint(p, q) : area_constraint(p, q);
 }
 
 /// Σ w|∇C|², or 0 if the gradient of the free corners is only a rounding error (see least_lever).

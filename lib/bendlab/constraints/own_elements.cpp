@@ -96,7 +96,8 @@ OwnValues evaluate(const OwnElements& list, const Positions& positions) {
   return all;
 }
 
-std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions) {
+std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions,
+                                                std::size_t first) {
   constexpr double relative_step = 1e-6;  // of an element's size; the step's square is as small as rounding
   const std::vector<int> all = all_of(list);
   const std::vector<double> corners = corners_of(list, positions);
@@ -107,8 +108,8 @@ std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const P
   std::array<std::vector<double>, 2> gradients{std::vector<double>(corners.size()),
                                                std::vector<double>(corners.size())};
   std::vector<Eigen::MatrixXd> second(
-      list.size(), Eigen::MatrixXd(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(width)));
-  for (std::size_t i = 0; i < width; ++i) {
+      list.size(), Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(width)));
+  for (std::size_t i = first; i < width; ++i) {
     for (const int side : {0, 1}) {
       for (std::size_t c = 0; c < list.size(); ++c)
         moved[c * width + i] = corners[c * width + i] + (side == 0 ? -step[c] : step[c]);
@@ -116,7 +117,7 @@ std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const P
     }
     for (std::size_t c = 0; c < list.size(); ++c) {
       moved[c * width + i] = corners[c * width + i];
-      for (std::size_t j = 0; j < width; ++j)
+      for (std::size_t j = first; j < width; ++j)
         second[c](static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) =
             (gradients[1][c * width + j] - gradients[0][c * width + j]) / (2 * step[c]);
     }
@@ -182,7 +183,8 @@ void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bo
       for (std::size_t corner = 0; corner < vertices.size(); ++corner)
         farthest =
             std::max(farthest, std::abs(change) * inverse_mass[corner] * now.gradient(i, corner).norm());
-      if (const double reach = largest_move * size_of(now.corners_at(i), batch.list.directors); farthest > reach)
+      if (const double reach = largest_move * size_of(now.corners_at(i), batch.list.directors);
+          farthest > reach)
         change *= reach / farthest;
       for (std::size_t corner = 0; corner < vertices.size(); ++corner) {
         Point<Real>& moved = places.moved[static_cast<std::size_t>(vertices[corner])];

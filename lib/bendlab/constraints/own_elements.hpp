@@ -44,8 +44,10 @@ struct OwnValues {
 };
 OwnValues evaluate(const OwnElements& list, const Positions& positions);
 
-/// Second derivatives of C (or U) by central differences: #C symmetric matrices, 3 arity by 3 arity.
-std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions);
+/// Second derivatives of C (or U) by central differences: #C symmetric matrices, 3 arity by 3 arity. Rows and
+/// columns before `first` are 0.
+std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions,
+                                                std::size_t first = 0);
 
 /// Elastic energy (J) multiplied by the scene's compliance.
 double elastic_energy(const OwnElements& list, const Positions& positions);

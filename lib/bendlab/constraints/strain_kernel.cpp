@@ -131,8 +131,12 @@ struct TriangleLanes {
       warp.was_collapsed = warp.has_collapsed(t), weft.was_collapsed = weft.has_collapsed(t);
     if (batch.warp != 0) apply<form, compliant, careful>(t, warp, batch.warp, stretch_alpha, 0);
     if (batch.weft != 0) apply<form, compliant, careful>(t, weft, batch.weft, stretch_alpha, 1);
-    if (batch.shear != 0) apply<form, compliant, careful>(t, Shear<Real>{q}, batch.shear, alpha, 2);
-    if (batch.area != 0) apply<form, compliant, careful>(t, Area<Real>{determinant}, batch.area, alpha, 3);
+    if (batch.shear != 0)
+      apply<form, compliant, careful>(t, Shear<Real>{q}, batch.shear,
+                                      static_cast<Real>(shear_softness(form)) * alpha, 2);
+    if (batch.area != 0)
+      apply<form, compliant, careful>(t, Area<Real>{q, determinant}, batch.area,
+                                      area_softness(form, batch.area) * alpha, 3);
   }
 };
 
@@ -164,7 +168,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
-    triangles.stretch_alpha = form == StrainForm::green ? 4 * triangles.alpha : triangles.alpha;
+    triangles.stretch_alpha = static_cast<Real>(stretch_softness(form)) * triangles.alpha;
     for (std::size_t m = 0; m < 4; ++m) triangles.multipliers[m] = load(&batch.multiplier[m * count + lane]);
   }
   triangles.template project<form, compliant, careful>(t);
@@ -246,8 +250,11 @@ void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const S
         stretch_alpha = static_cast<Real>(stretch_softness(form)) * alpha;
     if (batch.warp != 0) add_force(force, stretch<Real, form, false>(t, q.q00, q.q10), stretch_alpha);
     if (batch.weft != 0) add_force(force, stretch<Real, form, false>(t, q.q01, q.q11), stretch_alpha);
-    if (batch.shear != 0) add_force(force, shear<Real, form, false>(t, q), alpha);
-    if (batch.area != 0) add_force(force, area<Real>(t, determinant), alpha);
+    if (batch.shear != 0)
+      add_force(force, shear<Real, form, false>(t, q), static_cast<Real>(shear_softness(form)) * alpha);
+    if (batch.area != 0)
+      add_force(force, Area<Real>{q, determinant}.template term<form>(t),
+                area_softness(form, batch.area) * alpha);
     scatter(forces, &batch.a[lane], force.a);
     scatter(forces, &batch.b[lane], force.b);
     scatter(forces, &batch.c[lane], force.c);
@@ -264,6 +271,8 @@ void with_form(StrainForm chosen, const Action& action) {
       return action(std::integral_constant<StrainForm, StrainForm::green>{});
     case StrainForm::angle:
       return action(std::integral_constant<StrainForm, StrainForm::angle>{});
+    case StrainForm::stvk:
+      return action(std::integral_constant<StrainForm, StrainForm::stvk>{});
   }
 }
 

@@ -151,7 +151,7 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, c
   const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
   const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
   const auto defined = in_bounds<Real>(squared);
-  if constexpr (form != StrainForm::green) {         // C = l - 1, ∇C = f / l
+  if constexpr (!is_green(form)) {                   // C = l - 1, ∇C = f / l
     const Pack<Real> length = square_root(squared);  // not of a selected value: need not wait for `defined`
     return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
   } else {
@@ -170,7 +170,7 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, 
   const Pack<Real> s11 = dot(f1, f1), s22 = dot(f2, f2), s12 = dot(f1, f2);
   const Pack<Real> product = s11 * s22, not_parallel = product - s12 * s12;  // (l1 l2 sin)²
   const auto aslant = not_parallel > broadcast<Real>(parallel_sine_squared<Real>) * product;
-  if constexpr (form == StrainForm::green) {
+  if constexpr (is_green(form)) {
     return {s12,
             one,
             {combination<Real>(q.q00, f2, q.q01, f1), combination<Real>(q.q10, f2, q.q11, f1)},
@@ -204,6 +204,18 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
           scale,
           {cross(e2, normal), cross(normal, e1)},
           defined};
+}
+
+// C = S_11 + S_22 - 2, ∂C/∂f_i = 2 f_i: the fourth term of StrainForm::stvk.
+template <class Real, bool split>
+BENDLAB_INLINE Term<Real, PerCorner<Real>> trace(const Corners<Real, split>& t, const RestInverse<Real>& q) {
+  const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
+  const PackVector<Real> f1 = combination<Real>(q.q00, e1, q.q10, e2),
+                         f2 = combination<Real>(q.q01, e1, q.q11, e2);
+  const Pack<Real> sum = dot(f1, f1) + dot(f2, f2);
+  const PackVector<Real> b = combination<Real>(q.q00, f1, q.q01, f2),
+                         c = combination<Real>(q.q10, f1, q.q11, f2);
+  return {sum - broadcast<Real>(2), broadcast<Real>(1), {b + b, c + c}, in_bounds<Real>(sum)};
 }
 
 // The lanes in which a term is corrected along the gradient of the rest shape, and ConstraintValue::value
@@ -261,7 +273,7 @@ struct Shear {
     const Pack<Real> s11 = dot(f1, f1), s22 = dot(f2, f2), one = broadcast<Real>(1);
     const auto both = in_bounds<Real>(s11) & in_bounds<Real>(s22);
     const Pack<Real> s12 = both ? dot(f1, f2) : Pack<Real>{};
-    if constexpr (form == StrainForm::green) {
+    if constexpr (is_green(form)) {
       return {both, s12};
     } else if constexpr (form == StrainForm::normalised) {
       return {both, s12 / square_root(both ? s11 * s22 : one)};
@@ -276,14 +288,19 @@ struct Shear {
 
 template <class Real>
 struct Area {
+  RestInverse<Real> q;
   Pack<Real> inverse_rest;
 
-  template <StrainForm, bool split>
+  template <StrainForm form, bool split>
   BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
-    return area<Real>(t, inverse_rest);
+    if constexpr (form == StrainForm::stvk)
+      return trace<Real>(t, q);
+    else
+      return area<Real>(t, inverse_rest);
   }
-  template <StrainForm, bool split>
+  template <StrainForm form, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
+    if constexpr (form == StrainForm::stvk) return {PackMask<Real>{}, Pack<Real>{}};
     const PackVector<Real> normal = cross(t.first_edge(), t.second_edge());
     return {collapsed<Real>(dot(normal, normal) * inverse_rest * inverse_rest), broadcast<Real>(-1)};
   }

@@ -128,9 +128,38 @@ struct SelfCollision {
   static const EffectKind kind;
 };
 
+/// Settings of every load: it grows linearly to its full size.
+struct GrowingLoad {
+  double ramp = 0;  ///< s, until the load has its full size
+};
+
+struct Load : GrowingLoad {
+  enum class Spread { equal, length, area };
+
+  std::vector<Place> vertices;  ///< all vertices if vertices and indices are empty
+  std::vector<int> indices;
+  Vector3 force{0, 0, 0};  ///< N, of all vertices together
+  Spread spread = Spread::equal;
+  bool follows = false;
+  static const EffectKind kind;
+};
+
+struct Pressure : GrowingLoad {
+  double pressure = 0;  ///< Pa, along the normals
+  static const EffectKind kind;
+};
+
+struct EdgeMoment : GrowingLoad {
+  std::vector<Place> vertices;
+  std::vector<int> indices;
+  double moment = 0;  ///< N m, of the whole edge
+  static const EffectKind kind;
+};
+
 /// All effects, in the order in which the program lists them.
 inline constexpr auto listed_effects =
     listed_kinds<EffectKind, Gravity, RigidDamping, ConstraintDamping, Tethers, ViscousDrag, Wind, MovingPins,
-                 StrainLimiting, Plane, Sphere, Capsule, Disc, MeshObstacle, Friction, SelfCollision>;
+                 StrainLimiting, Plane, Sphere, Capsule, Disc, MeshObstacle, Friction, SelfCollision, Load,
+                 Pressure, EdgeMoment>;
 
 }  // namespace bendlab

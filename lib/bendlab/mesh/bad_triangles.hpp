@@ -40,6 +40,7 @@ struct AcceptedMesh {
   TriangleMesh mesh;
   std::vector<std::string> notes;  ///< warnings: what was done about each problem, a line each
   bool renumbered = false;         ///< whether vertices have other indices than in the soup
+  Positions named;                 ///< see RestMesh; empty: the positions of the mesh
 };
 
 /// End of the error text for a refused mesh: how to have the mesh accepted although it has problems.

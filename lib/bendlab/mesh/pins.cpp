@@ -21,15 +21,30 @@ Vector2 on_face(const NamedAxes& axes, const Vector3& point) {
   return {point(axes.right), point(axes.up)};
 }
 
+// The shape of a mesh in which places have their names, and its box.
+struct NamedShape {
+  explicit NamedShape(const RestMesh& rest)
+      : positions(rest.named_positions()),
+        low(positions.colwise().minCoeff()),
+        high(positions.colwise().maxCoeff()) {}
+
+  Vector3 position(int v) const { return positions.row(v).transpose(); }
+  double size() const { return (high - low).norm(); }
+
+  const Positions& positions;
+  Vector3 low, high;
+};
+
 int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   const NamedAxes axes = named_axes(rest);
-  const auto distance = [&](int v) { return (on_face(axes, rest.position(v)) - target).norm(); };
-  const double equal = relative_tolerance * rest.size();
+  const NamedShape shape(rest);
+  const auto distance = [&](int v) { return (on_face(axes, shape.position(v)) - target).norm(); };
+  const double equal = relative_tolerance * shape.size();
   double least = std::numeric_limits<double>::infinity();
   for (int v = 0; v < rest.vertex_count(); ++v) least = std::min(least, distance(v));
   // Whether v is farther to the front than `other`. Ties go to the lower vertex, and then to the left vertex.
   const auto goes_before = [&](int v, int other) {
-    const Vector3 way = rest.position(v) - rest.position(other);
+    const Vector3 way = shape.position(v) - shape.position(other);
     for (const double by : {way(axes.front), -way(axes.up), -way(axes.right)})
       if (std::abs(by) > equal) return by > 0;
     return false;
@@ -43,8 +58,9 @@ int nearest_vertex(const RestMesh& rest, const Vector2& target) {
 // Vertices whose coordinate `axis` is `level`, up to rounding.
 std::vector<int> side_vertices(const RestMesh& rest, int axis, double level) {
   std::vector<int> side;
+  const NamedShape shape(rest);
   for (int v = 0; v < rest.vertex_count(); ++v)
-    if (std::abs(rest.positions()(v, axis) - level) <= relative_tolerance * rest.size()) side.push_back(v);
+    if (std::abs(shape.positions(v, axis) - level) <= relative_tolerance * shape.size()) side.push_back(v);
   return side;
 }
 
@@ -61,10 +77,12 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
 // The vertices of a disc around the middle vertex that have a neighbour outside the disc.
 std::vector<int> circle_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
-  const Vector2 extent = on_face(axes, rest.box_max() - rest.box_min());
-  const double radius = 0.25 * extent.minCoeff() + relative_tolerance * rest.size();
-  const Vector3 middle = rest.position(nearest_vertex(rest, on_face(axes, rest.centre())));
-  const auto is_inside = [&](int v) { return (rest.position(v) - middle).norm() <= radius; };
+  const NamedShape shape(rest);
+  const Vector2 extent = on_face(axes, shape.high - shape.low);
+  const double radius = 0.25 * extent.minCoeff() + relative_tolerance * shape.size();
+  const Vector3 centre = 0.5 * (shape.low + shape.high);
+  const Vector3 middle = shape.position(nearest_vertex(rest, on_face(axes, centre)));
+  const auto is_inside = [&](int v) { return (shape.position(v) - middle).norm() <= radius; };
   std::vector<int> circle;
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (is_inside(v) && !std::ranges::all_of(rest.one_ring()[v], is_inside)) circle.push_back(v);
@@ -75,7 +93,8 @@ std::vector<int> circle_vertices(const RestMesh& rest) {
 // 0.25.)
 std::vector<int> interior_vertices(const RestMesh& rest) {
   const NamedAxes axes = named_axes(rest);
-  const Vector2 low = on_face(axes, rest.box_min()), extent = on_face(axes, rest.box_max()) - low;
+  const NamedShape shape(rest);
+  const Vector2 low = on_face(axes, shape.low), extent = on_face(axes, shape.high) - low;
   std::vector<int> interior;
   for (const double y : {0.3, 0.7})
     for (const double x : {0.3, 0.7})
@@ -135,7 +154,8 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
 
 NamedAxes named_axes(const RestMesh& rest) {
   constexpr double thin = 0.1;  // of the other two extents; the folds of a curtain are less deep
-  const Vector3 extent = rest.box_max() - rest.box_min();
+  const NamedShape shape(rest);
+  const Vector3 extent = shape.high - shape.low;
   const auto is_thin = [&](int axis, int second, int third) {
     return extent(axis) < thin * std::min(extent(second), extent(third));
   };
@@ -146,7 +166,8 @@ NamedAxes named_axes(const RestMesh& rest) {
 
 std::vector<int> select_vertices(const RestMesh& rest, Place place) {
   const NamedAxes axes = named_axes(rest);
-  const Vector2 low = on_face(axes, rest.box_min()), high = on_face(axes, rest.box_max());
+  const NamedShape shape(rest);
+  const Vector2 low = on_face(axes, shape.low), high = on_face(axes, shape.high);
   switch (place) {
     case Place::upper_right:
       return {nearest_vertex(rest, high)};
@@ -165,11 +186,11 @@ std::vector<int> select_vertices(const RestMesh& rest, Place place) {
     case Place::right:
       return side_vertices(rest, axes.right, high.x());
     case Place::centre:
-      return {nearest_vertex(rest, on_face(axes, rest.centre()))};
+      return {nearest_vertex(rest, 0.5 * (low + high))};
     case Place::top_rim:
-      return rim_vertices(rest, name_in(place_names, place), rest.box_max().z());
+      return rim_vertices(rest, name_in(place_names, place), shape.high.z());
     case Place::bottom_rim:
-      return rim_vertices(rest, name_in(place_names, place), rest.box_min().z());
+      return rim_vertices(rest, name_in(place_names, place), shape.low.z());
     case Place::circle:
       return circle_vertices(rest);
     case Place::interior:

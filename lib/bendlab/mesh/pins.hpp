@@ -13,6 +13,8 @@ struct Pins {
   std::vector<int> seeds;       ///< the vertices that the scene lists, ascending
   std::vector<int> all;         ///< all pinned vertices, ascending
   std::vector<char> is_pinned;  ///< #V
+  /// #V, or empty: the axes along which a free vertex is held, a bit each (1: x, 2: y, 4: z).
+  std::vector<char> held = {};
 
   bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
 };
@@ -31,7 +33,7 @@ struct NamedAxes {
 /// other extents (an upright sheet), that axis is front, z is up, and the remaining axis is right.
 NamedAxes named_axes(const RestMesh& rest);
 
-/// Names of vertices of a rest mesh that a scene can pin.
+/// Names of vertices of a rest mesh that a scene can pin, in the shape RestMesh::named_positions().
 enum class Place {
   upper_right,  ///< the vertex nearest to a corner of the mesh's box
   upper_left,

@@ -28,6 +28,10 @@ Adjacency adjacency_of(const Edges& edges, int vertex_count) {
 
 }  // namespace
 
+RestMesh::RestMesh(TriangleMesh mesh, Positions named) : RestMesh(std::move(mesh)) {
+  named_ = std::move(named);
+}
+
 RestMesh::RestMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {
   std::vector<std::array<int, 2>> edges;
   const auto opposite = [&](const HalfEdge<int>& side) {

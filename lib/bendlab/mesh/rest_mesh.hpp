@@ -37,9 +37,13 @@ class RestMesh {
   /// Expects indices in range and finite positions, as in the meshes of read_mesh() (files.hpp). An edge with
   /// more than two triangles gives no hinge.
   explicit RestMesh(TriangleMesh mesh);
+  /// A mesh whose places (pins.hpp) have their names in another shape (#V by 3), for example flat.
+  RestMesh(TriangleMesh mesh, Positions named);
 
   const TriangleMesh& mesh() const { return mesh_; }
   const Positions& positions() const { return mesh_.positions; }
+  /// #V by 3, m: the shape in which places have their names; usually positions().
+  const Positions& named_positions() const { return named_.rows() > 0 ? named_ : mesh_.positions; }
   const Triangles& triangles() const { return mesh_.triangles; }
   const Edges& edges() const { return edges_; }
   const Adjacency& one_ring() const { return one_ring_; }
@@ -58,6 +62,7 @@ class RestMesh {
 
  private:
   TriangleMesh mesh_;
+  Positions named_;
   Edges edges_;
   Adjacency one_ring_;
   std::vector<Hinge> hinges_;

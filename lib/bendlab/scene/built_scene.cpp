@@ -33,7 +33,9 @@ int rows_of_squares(double width, double height, int cells) {
   return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
 }
 
-TriangleMesh generate(const Mesh& mesh) {
+TriangleMesh generate(const Mesh& stated) {
+  Mesh mesh = stated;
+  mesh.height /= stated.aspect;  // all flat generators; stretched() makes up for it
   switch (mesh.generator) {
     case Generator::grid:
       return grid(mesh.width, mesh.height, mesh.cells, rows_of_squares(mesh.width, mesh.height, mesh.cells),
@@ -45,7 +47,7 @@ TriangleMesh generate(const Mesh& mesh) {
     case Generator::disc:
       return disc(mesh.radius, mesh.cells);
     case Generator::tube:
-      return tube(mesh.radius, mesh.radius_top.value_or(mesh.radius), mesh.height, mesh.cells);
+      return tube(mesh.radius, mesh.radius_top.value_or(mesh.radius), stated.height, mesh.cells);
     case Generator::sphere:
       return sphere(mesh.radius, mesh.cells);
   }
@@ -67,6 +69,8 @@ AcceptedMesh generated_mesh(const Mesh& mesh) {
   TriangleMesh generated;
   try {
     generated = generate(mesh);
+    if (mesh.generator != Generator::tube && mesh.generator != Generator::sphere)
+      generated.positions.col(1) *= mesh.aspect;
     if (mesh.shuffle) generated = shuffled(generated, *mesh.shuffle);
     require_areas(generated);
   } catch (const std::invalid_argument& error) {  // settings that are valid, but do not fit together
@@ -124,6 +128,26 @@ TriangleMesh altered(TriangleMesh mesh, const Mesh& settings) {
   return mesh;
 }
 
+// Holds vertices along an axis.
+void hold(Pins& pins, const RestMesh& rest, int axis, const std::string& setting,
+          const std::vector<Place>& places, const std::vector<int>& indices) {
+  if (places.empty() && indices.empty()) return;
+  pins.held.resize(pins.is_pinned.size(), 0);
+  const auto add = [&](int v) { pins.held[static_cast<std::size_t>(v)] |= static_cast<char>(1 << axis); };
+  for (const Place place : places) try {
+      for (const int v : select_vertices(rest, place)) add(v);
+    } catch (const std::invalid_argument& error) {
+      throw ConfigError("/pins", {{"/pins/" + setting, error.what()}});
+    }
+  for (const int index : indices) {
+    if (index >= rest.vertex_count())
+      throw ConfigError("/pins", {{fmt::format("/pins/{}_indices", setting),
+                                   fmt::format("vertex {} is not in the mesh, which has vertices 0 to {}",
+                                               index, rest.vertex_count() - 1)}});
+    add(index);
+  }
+}
+
 Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
              bool renumbered, const Vector3& down) {
   const Pinning& pinning = scene.pins;
@@ -147,7 +171,11 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
                                                        index, rest.vertex_count() - 1)}});
     seeds.push_back(index);
   }
-  return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
+  Pins pins = make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
+  hold(pins, rest, 0, "hold_x", pinning.hold_x, pinning.hold_x_indices);
+  hold(pins, rest, 1, "hold_y", pinning.hold_y, pinning.hold_y_indices);
+  hold(pins, rest, 2, "hold_z", pinning.hold_z, pinning.hold_z_indices);
+  return pins;
 }
 
 // Refuses sizes at which areas or their inverses exceed the range of single precision, and offsets that round
@@ -174,15 +202,22 @@ StiffnessKind kind_of(Stiffness stiffness) {
   return stiffness == Stiffness::physical ? StiffnessKind::compliance : static_cast<StiffnessKind>(stiffness);
 }
 
-StrainStiffness strain_stiffness(const Strain& strain) {
-  return {.form = strain.form,
+StrainStiffness strain_stiffness(const Strain& strain, double poisson_ratio) {
+  const StrainForm form = strain.form.value_or(StrainForm::angle);
+  const double compliance =
+      strain.stiffness == Stiffness::physical ? 1 / strain.membrane_stiffness : strain.compliance;
+  if (form == StrainForm::stvk)
+    return {.form = form,
+            .kind = StiffnessKind::compliance,
+            .area = poisson_ratio / (1 - poisson_ratio),
+            .compliance = (1 + poisson_ratio) * compliance};
+  return {.form = form,
           .kind = kind_of(strain.stiffness),
           .warp = strain.warp,
           .weft = strain.weft,
           .shear = strain.shear,
           .area = strain.area,
-          .compliance =
-              strain.stiffness == Stiffness::physical ? 1 / strain.membrane_stiffness : strain.compliance};
+          .compliance = compliance};
 }
 
 // A physical stiffness is stored in the softness of each constraint, so the common compliance is 1.
@@ -230,9 +265,20 @@ void check_own_elements(const SimulationInput& input) {
   throw ConfigError(
       "solver method",
       {{"/solver/method",
-        fmt::format("'{}' cannot simulate the bending elements of '{}', which is not a built-in model: "
+        fmt::format("'{}' cannot simulate the bending elements of '{}', which have no kernel: "
                     "choose one of the methods {}",
                     input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
+}
+
+void check_held(const SimulationInput& input) {
+  if (input.held.empty() || input.method.kind().holds_axes) return;
+  std::vector<std::string_view> able;
+  for (const MethodKind* method : methods())
+    if (method->holds_axes) able.push_back(method->name);
+  throw ConfigError("solver method",
+                    {{"/solver/method", fmt::format("'{}' cannot hold vertices along an axis (/pins/hold_x, "
+                                                    "hold_y, hold_z): choose one of the methods {}",
+                                                    input.method.name(), fmt::join(able, ", "))}});
 }
 
 // Lumped masses. The half of the cloth with the larger x is `density_ratio` times as heavy.
@@ -342,6 +388,12 @@ AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder)
                           : mesh.file ? mesh_from_file(folder / *mesh.file, mesh.bad_triangles)
                                       : generated_mesh(mesh);
   accepted.mesh = altered(std::move(accepted.mesh), mesh);
+  if (mesh.surface.is_given()) try {
+      accepted.named = accepted.mesh.positions;
+      accepted.mesh.positions = on_surface(mesh.surface, accepted.named);
+    } catch (const std::invalid_argument& error) {
+      throw ConfigError("/mesh/surface", {{"/mesh/surface/shape", error.what()}});
+    }
   accepted.mesh.positions *= mesh.scale;
   accepted.mesh.positions.rowwise() += mesh.offset.transpose();
   require_numbers_hold(accepted.mesh, !mesh.offset.isZero(0));
@@ -350,7 +402,7 @@ AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder)
 
 BuiltScene build_scene(const Scene& stated) {
   AcceptedMesh accepted = rest_mesh_of(stated.mesh, stated.folder);
-  BuiltScene scene{.rest = RestMesh(std::move(accepted.mesh)),
+  BuiltScene scene{.rest = RestMesh(std::move(accepted.mesh), std::move(accepted.named)),
                    .mesh_notes = std::move(accepted.notes),
                    .input = {.method = stated.solver.method}};
   const RestMesh& rest = scene.rest;
@@ -368,6 +420,7 @@ BuiltScene build_scene(const Scene& stated) {
   input.size = rest.size();
   input.mass = masses_of(stated.material, rest);
   input.is_pinned = scene.pins.is_pinned;
+  input.held = scene.pins.held;
   if (!method.mesh_order) input.permutation = local_numbering(rest);
   input.settings = {.dt = stated.solver.dt,
                     .substeps = substeps_of(stated.solver),
@@ -380,11 +433,12 @@ BuiltScene build_scene(const Scene& stated) {
         rest, scene.pins, material_coordinates(stated.material, rest.mesh(), scene.mesh_notes),
         stated.mesh.bad_triangles == BadTriangles::membrane_off ? dispensable_triangles(rest)
                                                                 : std::vector<char>{});
-  input.strain_stiffness = strain_stiffness(stated.material.strain);
+  input.strain_stiffness = strain_stiffness(stated.material.strain, stated.material.poisson_ratio);
 
   const Bending& stated_bending = stated.bending;
   input.bending_stiffness = bending_stiffness(stated_bending);
-  BendingConstraints bending = bending_constraints(stated_bending, stated.material.poisson_ratio, rest, scene.pins);
+  BendingConstraints bending =
+      bending_constraints(stated_bending, stated.material.poisson_ratio, rest, scene.pins);
   const SolverSettings& settings = input.settings;
   const bool prestressed = stated_bending.model.kind().prestressed;
   if (method.projects && prestressed && stated_bending.stiffness == Stiffness::physical) {
@@ -402,6 +456,7 @@ BuiltScene build_scene(const Scene& stated) {
   input.own = std::move(bending.own);
   input.directors = std::move(bending.directors);
   check_own_elements(input);
+  check_held(input);
   if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);
   input.moves_apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, stated.solver.precision);

@@ -15,7 +15,7 @@ double elastic_energy(const SimulationInput& input, const Positions& positions) 
   const StrainStiffness& strain = input.strain_stiffness;
   const BendingStiffness& bending = input.bending_stiffness;
   if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
-    sum += elastic_energy(input.strain, strain.form, positions) / strain.compliance;
+    sum += elastic_energy(input.strain, strain.form, positions, strain.area) / strain.compliance;
   if (bending.kind == StiffnessKind::compliance && bending.compliance > 0) {
     const Positions points = input.points_at(positions);
     sum += (elastic_energy(input.distance, points) + elastic_energy(input.elements, points) +

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "bendlab/mesh/surface.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/strict_json.hpp"
 #include "bendlab/settings/random_numbers.hpp"
@@ -51,6 +52,18 @@ Positions creased(const RestMesh& rest, int creases) {
 }
 
 Positions folded_rest_shape(const Initial& initial, const RestMesh& rest) {
+  if (initial.surface.is_given()) {
+    if (initial.folds > 0 || initial.creases > 0)
+      throw ConfigError("initial pose",
+                        {{"/initial/surface/shape",
+                          "cannot be combined with /initial/folds or /initial/creases: set these "
+                          "to 0"}});
+    try {
+      return on_surface(initial.surface, rest.named_positions());
+    } catch (const std::invalid_argument& error) {
+      throw ConfigError("initial pose", {{"/initial/surface/shape", error.what()}});
+    }
+  }
   if (initial.folds > 0 && initial.creases > 0)
     throw ConfigError("initial pose", {{"/initial/creases",
                                         "cannot be combined with /initial/folds: set one of these "

@@ -77,8 +77,9 @@ void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
   const auto report = [&](const char* key, const char* message) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model.name)});
   };
-  if (model.springs_only && bending.deflection != Deflection::large)
-    report("deflection", "applies only to models made of hinges: remove this setting for {}");
+  if ((model.springs_only || model.rigidity_by_formula) && bending.deflection != Deflection::large)
+    report("deflection",
+           "applies only to hinges that are calibrated, such as discrete_shells: remove this setting for {}");
   if (!model.bends || !bending.quartic_coefficient) return;
   if (!model.springs_only || model.prestressed)
     report("quartic_coefficient",
@@ -88,6 +89,39 @@ void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
     report("quartic_coefficient",
            "cannot be combined with flexural_rigidity, because the springs of {} have only one stiffness: "
            "remove one of these settings");
+}
+
+// Checks what a shell and an isotropic membrane require.
+void check_material(const Scene& scene, ConfigProblems& problems) {
+  const Material& material = scene.material;
+  const bool by_k =
+      material.strain.stiffness == Stiffness::k || material.strain.stiffness == Stiffness::k_per_step;
+  if (material.strain.form == StrainForm::stvk && by_k)
+    problems.push_back(
+        {"/material/strain/form",
+         "stvk has a Poisson's ratio, which k cannot express: set /material/strain/stiffness to "
+         "physical or compliance"});
+  if (material.strain.form == StrainForm::stvk && material.poisson_ratio < 0)
+    problems.push_back(
+        {"/material/poisson_ratio",
+         "is below 0, which the form stvk does not support: choose a ratio from 0 to 0.499, or "
+         "the form angle"});
+  if (!material.youngs_modulus) {
+    if (material.thickness)
+      problems.push_back({"/material/thickness", "needs a youngs_modulus, too: add it, or remove thickness"});
+    return;
+  }
+  if (!material.thickness)
+    problems.push_back({"/material/youngs_modulus", "needs a thickness, too: add it, in m"});
+  for (const auto& [pointer, stiffness] : {std::pair{"/material/strain/stiffness", material.strain.stiffness},
+                                           std::pair{"/bending/stiffness", scene.bending.stiffness}})
+    if (stiffness != Stiffness::physical)
+      problems.push_back({pointer,
+                          "has to be physical with /material/youngs_modulus, which states the stiffness: "
+                          "remove one of these settings"});
+  if (scene.bending.quartic_coefficient)
+    problems.push_back({"/bending/quartic_coefficient",
+                        "cannot be combined with /material/youngs_modulus: remove one of these settings"});
 }
 
 void check_repeats(const Scene& scene, ConfigProblems& problems) {
@@ -207,6 +241,14 @@ void settle(Scene& scene) {
   if (!scene.mesh.rows && !scene.mesh.file)
     scene.mesh.rows = scene.mesh.generator == Generator::equilateral ? rows_of_lattice(scene.mesh, scene.pins)
                                                                      : Rows::parallel;
+  Material& material = scene.material;
+  const bool is_shell = material.youngs_modulus.has_value();
+  if (!material.strain.form) material.strain.form = is_shell ? StrainForm::stvk : StrainForm::angle;
+  if (is_shell && material.thickness) {
+    const double e = *material.youngs_modulus, h = *material.thickness, nu = material.poisson_ratio;
+    material.strain.membrane_stiffness = e * h;
+    scene.bending.flexural_rigidity = e * h * h * h / (12 * (1 - nu * nu));
+  }
   const MethodKind& method = scene.solver.method.kind();
   if (!scene.solver.substeps && method.default_substeps > 0) scene.solver.substeps = method.default_substeps;
   if (!scene.solver.iterations && method.default_iterations > 0)
@@ -231,6 +273,7 @@ void check_scene(const Scene& scene, ConfigProblems& problems) {
   check_times(scene, problems);
   check_warp_direction(scene, problems);
   check_bending_stiffness(scene.bending, problems);
+  check_material(scene, problems);
   check_springs_lie_flat(scene, problems);
   MethodRules(scene, problems).check();
 }

@@ -18,6 +18,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/material_coordinates.hpp"
 #include "bendlab/mesh/pins.hpp"
+#include "bendlab/mesh/surface.hpp"
 #include "bendlab/solver/methods.hpp"
 
 namespace bendlab {
@@ -40,14 +41,18 @@ struct Mesh {
   std::optional<std::uint32_t> shuffle;  ///< a seed
   std::string flaw = "none";
   BadTriangles bad_triangles = BadTriangles::refuse;
+  double aspect = 1;     ///< of a cell: height over width
+  NamedSurface surface;  ///< the rest shape, if it is not flat
   /// A mesh that was made in C++, used instead of generator and file.
   std::shared_ptr<const TriangleMesh> given;
 };
 
-/// Which vertices are held fixed.
+/// Which vertices are held fixed, and which are held along one axis only.
 struct Pinning {
   std::vector<Place> vertices{Place::upper_right};
   std::vector<int> indices;
+  std::vector<Place> hold_x, hold_y, hold_z;
+  std::vector<int> hold_x_indices, hold_y_indices, hold_z_indices;
   int ring = 0;
   double distance = 0;  ///< m
 };
@@ -57,7 +62,7 @@ enum class Stiffness { k, k_per_step, compliance, physical };
 
 /// Strain constraints of the triangles: the membrane.
 struct Strain {
-  StrainForm form = StrainForm::angle;
+  std::optional<StrainForm> form;  ///< absent: stvk with a youngs_modulus, otherwise angle
   Stiffness stiffness = Stiffness::physical;
   /// N/m: about that of a thin cotton pulled along its threads.
   double membrane_stiffness = 1e4;
@@ -67,7 +72,11 @@ struct Strain {
 
 struct Material {
   double density = 0.2;  ///< kg/m²
-  double poisson_ratio = 0;
+  /// A shell of a solid: with youngs_modulus E and thickness h, settle() sets membrane_stiffness to E h and
+  /// flexural_rigidity to E h³ / 12 (1 - ν²).
+  std::optional<double> youngs_modulus;  ///< E, Pa
+  std::optional<double> thickness;       ///< h, m
+  double poisson_ratio = 0;              ///< ν
   double density_ratio = 1;
   MaterialCoordinates coordinates = MaterialCoordinates::warp;
   Vector3 warp_direction{1, 0, 0};
@@ -110,6 +119,7 @@ struct Initial {
   int creases = 0;
   Vector3 scale{1, 1, 1};
   double tilt = 0;                      ///< degrees
+  NamedSurface surface;                 ///< the pose, instead of the rest shape
   double perturbation = 0, random = 0;  ///< relative to the mesh's size
   Vector3 velocity{0, 0, 0};            ///< m/s
   Vector3 spin{0, 0, 0};                ///< rad/s

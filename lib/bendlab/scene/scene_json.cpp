@@ -131,6 +131,16 @@ void read_effects(std::vector<Effect>& effects, const Json& given, ConfigProblem
       effects.push_back(*std::move(effect));
 }
 
+// The keys of the parts that are objects in this part.
+std::vector<std::string_view> keys_of_parts_in(std::string_view pointer) {
+  std::vector<std::string_view> keys;
+  for (const Part& part : scene_parts())
+    if (part.pointer.size() > pointer.size() && part.pointer.starts_with(pointer) &&
+        part.pointer[pointer.size()] == '/')
+      keys.push_back(part.pointer.substr(pointer.size() + 1));
+  return keys;
+}
+
 template <class Kind>
 void write_own(const Chosen<Kind>& member, const Scene& scene, Json& json) {
   write_fields(member.kind().settings, member.settings(), &scene, json);
@@ -156,10 +166,8 @@ Scene read_scene(const Json& given, std::span<const std::string_view> other_keys
       read_bending(part, scene.bending, object, problems);
     else if (owner == &scene.solver)
       read_solver(part, scene.solver, object, problems);
-    else if (owner == &scene.material)
-      read_fields(part.table, owner, object, pointer, std::array<std::string_view, 1>{"strain"}, problems);
     else
-      read_fields(part.table, owner, object, pointer, {}, problems);
+      read_fields(part.table, owner, object, pointer, keys_of_parts_in(part.pointer), problems);
   }
   if (const auto effects = top.find("effects"); effects != top.end())
     read_effects(scene.effects, *effects, problems);
@@ -173,6 +181,7 @@ Json to_json(const Scene& scene) {
   Json json = Json::object();
   write_fields(scene_table(), &scene, &scene, json);
   for (const Part& part : scene_parts()) {
+    if (part.is_absent != nullptr && part.is_absent(scene)) continue;
     Json& object = json[Json::json_pointer(std::string(part.pointer))];
     object = Json::object();
     const void* const owner = part.in(scene);

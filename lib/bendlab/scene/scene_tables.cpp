@@ -57,8 +57,18 @@ constexpr auto needs_curvature = read_when<Scene>([](const Scene& s) {
 constexpr auto is_of_hinges = read_when<Scene>([](const Scene& s) {
   return s.bending.stiffness == Stiffness::physical && !s.bending.model.kind().springs_only;
 });
-constexpr auto takes_poisson_ratio =
-    read_when<Scene>([](const Scene& s) { return s.bending.model.kind().takes_poisson_ratio; });
+constexpr auto is_shell =
+    read_when<Scene>([](const Scene& s) { return s.material.youngs_modulus.has_value(); });
+constexpr auto states_membrane =
+    read_when<Scene>([](const Scene& s) { return strains_by<Stiffness::physical>(&s) && !is_shell(&s); });
+constexpr auto states_rigidity =
+    read_when<Scene>([](const Scene& s) { return bends_by<Stiffness::physical>(&s) && !is_shell(&s); });
+constexpr auto takes_poisson_ratio = read_when<Scene>([](const Scene& s) {
+  return s.bending.model.kind().takes_poisson_ratio || s.material.strain.form == StrainForm::stvk;
+});
+constexpr auto has_flat_generator = read_when<Scene>([](const Scene& s) {
+  return generated_by<Generator::grid, Generator::equilateral, Generator::delaunay>(&s);
+});
 constexpr auto has_hinges =
     read_when<Scene>([](const Scene& s) { return is_made_of_hinges(s.bending.model.kind()); });
 constexpr auto starts_at_random =
@@ -132,6 +142,11 @@ const std::array mesh = {
     field<&Mesh::seed>({.name = "seed", .unit = "1",
               .meaning = "Seed of the random points of delaunay, and of the random moves of jitter",
               .minimum = 0, .maximum = seed_limit, .read_when = makes_at_random, .kept_when = may_seed_mesh}),
+    field<&Mesh::aspect>({.name = "aspect", .unit = "1",
+              .meaning = "Height of a cell divided by its width: a sheet with fewer cells along the height "
+                         "is made, and then stretched along the height",
+              .minimum = 0.001, .maximum = 1000, .read_when = has_flat_generator, .kept_when = generated,
+              .depends_on = on_generator}),
     field<&Mesh::refine>({.name = "refine", .unit = "1",
               .meaning = "How many times each triangle is cut into four at the middles of its edges, also in "
                          "a mesh from a file. The original vertices keep their indices, and the surface "
@@ -183,7 +198,21 @@ constexpr std::array pins = {
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "
                            "those in vertices",
                 .minimum = 0}),
-      field<&Pinning::ring>({.name = "ring", .unit = "1",
+      field<&Pinning::hold_x>({.name = "hold_x",
+              .meaning = "Vertices, by the names of `vertices`, that keep their coordinate x, and are free "
+                         "along y and z: a plane of symmetry, a diaphragm or a roller",
+              .choices = place_names}),
+    field<&Pinning::hold_y>({.name = "hold_y",
+              .meaning = "Vertices that keep their coordinate y", .choices = place_names}),
+    field<&Pinning::hold_z>({.name = "hold_z",
+              .meaning = "Vertices that keep their coordinate z", .choices = place_names}),
+    field<&Pinning::hold_x_indices>({.name = "hold_x_indices", .unit = "1",
+              .meaning = "Vertices that keep their coordinate x, by index", .minimum = 0}),
+    field<&Pinning::hold_y_indices>({.name = "hold_y_indices", .unit = "1",
+              .meaning = "Vertices that keep their coordinate y, by index", .minimum = 0}),
+    field<&Pinning::hold_z_indices>({.name = "hold_z_indices", .unit = "1",
+              .meaning = "Vertices that keep their coordinate z, by index", .minimum = 0}),
+    field<&Pinning::ring>({.name = "ring", .unit = "1",
                 .meaning = "How many rings of neighbours around each pinned vertex are pinned, too. The "
                            "paper pins one ring; such a clamp becomes smaller if the mesh is refined",
                 .minimum = 0, .maximum = 64}),
@@ -198,12 +227,20 @@ constexpr std::array material = {
     field<&Material::density>({.name = "density", .unit = "kg/m²",
               .meaning = "Mass per area",
               .minimum = 0, .above = true}),
+    field<&Material::youngs_modulus>({.name = "youngs_modulus", .unit = "Pa",
+              .meaning = "Young's modulus E of a shell of thickness h. membrane_stiffness is then E h, "
+                         "flexural_rigidity is E h³ / 12 (1 - ν²), and the default of /material/strain/form "
+                         "is stvk. Absent: the two stiffnesses are stated themselves",
+              .minimum = 0, .above = true}),
+    field<&Material::thickness>({.name = "thickness", .unit = "m",
+              .meaning = "Thickness h of a shell that has a youngs_modulus",
+              .minimum = 0, .above = true, .read_when = is_shell}),
     field<&Material::poisson_ratio>({.name = "poisson_ratio", .unit = "1",
               .meaning = "Poisson's ratio ν of the sheet: a strip that is bent along its length curves by -ν "
                          "times as much across its width. Read by the bending models that `bendlab models` "
-                         "says can have one; other models imply a ratio, which the summary of a run states as "
-                         "model_poisson_ratio",
-              .minimum = -0.99, .maximum = 0.499, .read_when = takes_poisson_ratio}),
+                         "says can have one; other models imply a ratio, which the summary of a run states "
+                         "as model_poisson_ratio",
+              .minimum = -0.99, .maximum = 0.499, .read_when = takes_poisson_ratio, .kept_when = always}),
     field<&Material::density_ratio>({.name = "density_ratio", .unit = "1",
               .meaning = "Factor for the density in the half of the cloth with the larger x",
               .minimum = 0, .above = true}),
@@ -224,7 +261,9 @@ constexpr std::array strain = {
                          "normalised; shear is the difference between a right angle and the angle between "
                          "warp and weft. Where warp and weft are nearly parallel, the gradient of normalised "
                          "shear is nearly 0, and a projection moves a triangle by many times its size. angle "
-                         "does not have this problem",
+                         "does not have this problem. stvk: an isotropic sheet with /material/poisson_ratio "
+                         "(Saint Venant-Kirchhoff); needs a compliance or a physical stiffness. Absent: stvk "
+                         "with /material/youngs_modulus, otherwise angle",
               .choices = strain_form_names, .read_when = has_triangles}),
     field<&Strain::stiffness>({.name = "stiffness",
               .meaning = stiffness_meaning, .choices = stiffness_names}),
@@ -232,8 +271,8 @@ constexpr std::array strain = {
               .meaning = "Used if stiffness is physical: Young's modulus times thickness, which is the force "
                          "per width for a strain or shear of 1. With 10000 N/m, a sheet of 1 m and 0.2 kg/m² "
                          "has a strain of 10⁻⁴ under its weight",
-              .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
-              .depends_on = on_strain_stiffness}),
+              .minimum = 0, .above = true, .read_when = states_membrane,
+              .kept_when = strains_by<Stiffness::physical>, .depends_on = on_strain_stiffness}),
     field<&Strain::warp>({.name = "warp", .unit = "1",
               .meaning = "k of stretch along the warp",
               .minimum = 0, .maximum = 1, .read_when = has_triangles}),
@@ -272,8 +311,8 @@ constexpr std::array bending = {
                 .meaning = "Used if stiffness is physical: B, where the moment per width at the curvature κ "
                            "is B κ. Springs have this B only at the curvature at_curvature. Not used if only "
                            "quartic_coefficient is given",
-                .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
-                .depends_on = on_bending_stiffness}),
+                .minimum = 0, .above = true, .read_when = states_rigidity,
+                .kept_when = bends_by<Stiffness::physical>, .depends_on = on_bending_stiffness}),
       field<&Bending::quartic_coefficient>({.name = "quartic_coefficient", .unit = "N m³",
                 .meaning = "Used if stiffness is physical, for models made of springs: C, where the moment "
                            "per width at the curvature κ is C κ³",
@@ -363,6 +402,49 @@ constexpr std::array initial = {
                          "The earlier run may have another method, for example, or a coarser mesh of the "
                          "same flat sheet. The earlier run is not recorded"}),
 };
+
+// The same settings for /mesh/surface and /initial/surface.
+constexpr std::array surface = {
+    field<&NamedSurface::shape>({.name = "shape",
+              .meaning = "none: the mesh stays as it is. cylinder: rolled up along `direction` to the "
+                         "radius, without strain. annulus: the width becomes the angle `sweep`, the height "
+                         "goes from the inner to the outer radius. helix: a tangent developable of a helix "
+                         "of the radius and pitch. helix_flat: the same surface, flat. torus: of the radius, "
+                         "with the half of a tube of inner_radius. sphere: the width becomes the angle "
+                         "`sweep` about the axis, the height goes from the angle `from` to the angle `to` "
+                         "off the axis. dome: a disc becomes the part of a sphere up to the angle `to` off "
+                         "the axis. twist: the cross-sections turn by `sweep` along the width, and not at "
+                         "its right end. vee: folded at the middle of the width by the angle `sweep`, "
+                         "without strain",
+              .choices = surface_shape_names}),
+    field<&NamedSurface::radius>({.name = "radius", .unit = "m",
+              .meaning = "Radius of the cylinder, helix or sphere, outer radius of the annulus, or distance "
+                         "of the torus's tube from the axis",
+              .minimum = 0, .above = true}),
+    field<&NamedSurface::inner_radius>({.name = "inner_radius", .unit = "m",
+              .meaning = "Inner radius of the annulus, or radius of the torus's tube",
+              .minimum = 0, .above = true}),
+    field<&NamedSurface::pitch>({.name = "pitch", .unit = "m",
+              .meaning = "Rise of the helix in a turn", .minimum = 0, .above = true}),
+    field<&NamedSurface::ruling>({.name = "ruling", .unit = "m",
+              .meaning = "Length parameter of the helix's tangents: the surface has the tangents from this "
+                         "length to twice this length",
+              .minimum = 0, .above = true}),
+    field<&NamedSurface::direction>({.name = "direction", .unit = "degrees",
+              .meaning = "Direction in which the cylinder is rolled up: 0 along the width, 90 along the "
+                         "height",
+              .minimum = -360, .maximum = 360}),
+    field<&NamedSurface::sweep>({.name = "sweep", .unit = "degrees",
+              .meaning = "Angle, see shape", .minimum = -720, .maximum = 720}),
+    field<&NamedSurface::from>({.name = "from", .unit = "degrees",
+              .meaning = "Angle off the axis of a sphere, see shape", .minimum = 0, .maximum = 180}),
+    field<&NamedSurface::to>({.name = "to", .unit = "degrees",
+              .meaning = "Angle off the axis of a sphere or dome, see shape", .minimum = 0, .maximum = 180}),
+};
+
+FieldTable surface_table() {
+  return table_of<NamedSurface>(surface);
+}
 
 constexpr std::array top = {
     field<&Scene::duration>({.name = "duration", .unit = "s",
@@ -469,6 +551,12 @@ std::span<const Part> scene_parts() {
   static const std::array parts = {
       Part{"/mesh", "The rest mesh: generated, or read from a file", table_of<Mesh>(mesh),
            [](const Scene& s) -> const void* { return &s.mesh; }},
+      Part{"/mesh/surface",
+           "The surface that the generated mesh becomes; the pins and loads keep the names that their "
+           "vertices "
+           "have in the flat mesh",
+           surface_table(), [](const Scene& s) -> const void* { return &s.mesh.surface; },
+           [](const Scene& s) { return !s.mesh.surface.is_given(); }},
       Part{"/pins", "Which vertices are held fixed", table_of<Pinning>(pins),
            [](const Scene& s) -> const void* { return &s.pins; }},
       Part{"/material", "The cloth's mass and material directions", table_of<Material>(material),
@@ -481,6 +569,11 @@ std::span<const Part> scene_parts() {
            [](const Scene& s) -> const void* { return &s.solver; }},
       Part{"/initial", "The pose at time 0", table_of<Initial>(initial),
            [](const Scene& s) -> const void* { return &s.initial; }},
+      Part{"/initial/surface",
+           "The surface that the mesh is at time 0, while its rest shape is that of /mesh; pinned vertices "
+           "too",
+           surface_table(), [](const Scene& s) -> const void* { return &s.initial.surface; },
+           [](const Scene& s) { return !s.initial.surface.is_given(); }},
   };
   return parts;
 }

@@ -14,11 +14,13 @@ namespace bendlab {
 struct Part {
   std::string_view pointer, meaning;
   FieldTable table;
-  const void* (*in)(const Scene& scene);  ///< the struct in a scene
+  const void* (*in)(const Scene& scene);            ///< the struct in a scene
+  bool (*is_absent)(const Scene& scene) = nullptr;  ///< whether to_json() leaves the part out; null: never
 };
 
-/// "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver" and "/initial". The tables leave
-/// out the settings that choose a bending model or a method, and the settings of models and methods.
+/// "/mesh", "/mesh/surface", "/pins", "/material", "/material/strain", "/bending", "/solver", "/initial" and
+/// "/initial/surface". The tables leave out the settings that choose a bending model or a method, and the
+/// settings of models and methods.
 std::span<const Part> scene_parts();
 
 /// The scene's own settings: "/duration".

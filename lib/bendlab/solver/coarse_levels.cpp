@@ -126,10 +126,7 @@ struct CoarseLevels<Real>::Builder {
       level.slot.push_back(slot(sample.points[p]));
       if (is_free(sample.points[p])) level.base[p].w = static_cast<Real>(1 / mass[p]);
     }
-    for (int corner = 1; corner < dummy_corners; ++corner)
-      for (int lane = 0; lane < max_lanes; ++lane)
-        level.base[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
-            Vector3Of<Real>::Unit(corner - 1));
+    place_dummies(level.base, count);
     level.hats.first.push_back(0);
     std::vector<int> vertex_of(finer);
     if (finer_is_cloth)

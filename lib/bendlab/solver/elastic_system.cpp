@@ -98,6 +98,12 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
     require_compliance(input.bending_stiffness.kind, bending_compliance_, "bending");
   for (std::size_t p = 0; p < input.point_count(); ++p)
     free_index_.push_back(input.is_free(p) ? free_count_++ : -1);
+  for (std::size_t p = 0; p < input.held.size(); ++p)
+    for (int axis = 0; axis < 3; ++axis)
+      if (free_index_[p] >= 0 && input.is_held(p, axis)) {
+        is_held_.resize(static_cast<std::size_t>(unknowns()), 0);
+        is_held_[static_cast<std::size_t>(3 * free_index_[p] + axis)] = 1;
+      }
   first_director_ = input.mass.size(), read_coordinates_ = input.directors.coordinates;
   for_terms([&](Eigen::Index, const auto&, const auto&, const auto&) { ++energy_terms_; });
   energy_terms_ += static_cast<Eigen::Index>(own_.size());
@@ -121,7 +127,7 @@ void ElasticSystem::for_terms(const Visit& visit) const {
 template <class Visit>
 void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const {
   const StrainStiffness& s = strain_stiffness_;
-  const double stretch_scale = s.form == StrainForm::green ? 4 : 1;  // S - 1 is twice the Green strain
+  const double stretch_scale = stretch_softness(s.form);
   const std::array<double, 4>& q = strain_.inverse_rest[t];
   const double alpha =
       strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
@@ -131,8 +137,9 @@ void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit&
   };
   term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
   term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
-  term(s.shear, 1, [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
-  term(s.area, 1, [&](const Corners<3>& p) { return area_constraint(p, q); });
+  term(s.shear, shear_softness(s.form), [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
+  if (s.area != 0)
+    term(s.area, area_softness(s.form, s.area), [&](const Corners<3>& p) { return area_term(p, q, s.form); });
 }
 
 template <class Visit>
@@ -265,7 +272,23 @@ Eigen::VectorXd ElasticSystem::gradient(const Positions& positions) const {
       gradient += 3;
     }
   });
+  drop_held(sum);
   return sum;
+}
+
+void ElasticSystem::drop_held(Eigen::VectorXd& of_unknowns) const {
+  for (std::size_t u = 0; u < is_held_.size(); ++u)
+    if (is_held_[u] != 0) of_unknowns(static_cast<Eigen::Index>(u)) = 0;
+}
+
+// A step then leaves held coordinates as they are, because their residual is 0.
+void ElasticSystem::uncouple_held() {
+  if (is_held_.empty()) return;
+  for (int column = 0; column < unknowns(); ++column)
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(hessian_, column); entry; ++entry)
+      if (entry.row() != column && (is_held_[static_cast<std::size_t>(entry.row())] != 0 ||
+                                    is_held_[static_cast<std::size_t>(column)] != 0))
+        entry.valueRef() = 0;
 }
 
 Points<double> ElasticSystem::forces(const Positions& positions) const {
@@ -380,6 +403,7 @@ const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& posit
   });
   add_own_hessian(positions, multipliers);
   hold_unread_coordinates();
+  uncouple_held();
   return hessian_;
 }
 

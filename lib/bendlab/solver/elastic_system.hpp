@@ -1,7 +1,7 @@
 // The elastic energy of a scene's constraints as a function of the free vertices' positions, with gradient
 // and Hessian. If the bending model has directors (directors.hpp), these are unknowns like vertices: all
-// arrays have #P points. XPBD approaches the minimum of this energy if its iterations converge. A static equilibrium
-// minimises the sum of this energy and the energy of the loads.
+// arrays have #P points. XPBD approaches the minimum of this energy if its iterations converge. A static
+// equilibrium minimises the sum of this energy and the energy of the loads.
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
@@ -41,7 +41,8 @@ class ElasticSystem {
 
   double energy(const Positions& positions) const;             ///< J; positions #P by 3, m
   Eigen::VectorXd gradient(const Positions& positions) const;  ///< unknowns, N
-  Points<double> forces(const Positions& positions) const;     ///< #P, -∇E, 0 at pinned points, N
+  Points<double> forces(
+      const Positions& positions) const;  ///< #P, -∇E, 0 at pinned points and along held axes, N
   /// ψ'(C) of each term; 0 for a collapsed element.
   Eigen::VectorXd multipliers(const Positions& positions) const;
 
@@ -58,6 +59,8 @@ class ElasticSystem {
   /// The largest error, over all triangles, of the first-order estimate of the change of strain by `step`.
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;
+  /// Sets the entries of held coordinates (SimulationInput::held) to 0.
+  void drop_held(Eigen::VectorXd& of_unknowns) const;
 
   /// Sums over the constraints that contain a vertex: the energy, J; the force on the vertex, N; and the
   /// vertex's own block of the Hessian, without the terms with ∇²C, N/m.
@@ -87,6 +90,7 @@ class ElasticSystem {
   double change_of(const Value& c, const std::array<int, N>& vertices, const Eigen::VectorXd& step) const;
   void find_pattern();
   void hold_unread_coordinates();
+  void uncouple_held();
   void add_block(int row, int column, const Eigen::Matrix3d& block);
 
   StrainConstraints strain_;
@@ -96,6 +100,7 @@ class ElasticSystem {
   OwnElements own_;
   double bending_compliance_, strain_softness_ = 1;
   std::vector<int> free_index_;
+  std::vector<char> is_held_;  // of each unknown; empty: none is held
   int free_count_ = 0;
   std::size_t first_director_ = 0;  // among the points
   int read_coordinates_ = 1;        // of a director

@@ -76,6 +76,7 @@ struct MethodKind {
   /// The approximate time of an iteration, for forecasts; 1: the time to project each constraint once.
   double cost = 1;
   bool springs_only = false;        ///< only takes bending models that are made of springs
+  bool holds_axes = false;          ///< can hold vertices along an axis (SimulationInput::held)
   bool takes_own_elements = false;  ///< takes elements whose function the program brings
   /// Why the method needs every stiffness as a compliance above 0. Empty: stiffness may also be given as k.
   std::string_view needs_compliance = {};

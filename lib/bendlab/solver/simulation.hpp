@@ -62,15 +62,16 @@ struct SimulationInput {
   double size = 1;  ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;      ///< #V, kg
   std::vector<char> is_pinned;   ///< #V
+  std::vector<char> held;        ///< see Pins::held; for methods with MethodKind::holds_axes
   std::vector<int> permutation;  ///< #V, each vertex's index in the solver's arrays; empty: no change
 
   StrainConstraints strain;
   DistanceConstraints edges;  ///< the membrane of a method with Membrane::edges, instead of strain
   DistanceConstraints distance;
   ElementLists elements;
-  OwnElements own;  ///< for methods with MethodKind::takes_own_elements
-  Directors directors;         ///< of the bending model
-  Positions start_directors;   ///< #D by 3, m: at the start; empty: relaxed in the pose at the start
+  OwnElements own;            ///< for methods with MethodKind::takes_own_elements
+  Directors directors;        ///< of the bending model
+  Positions start_directors;  ///< #D by 3, m: at the start; empty: relaxed in the pose at the start
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
   double push_tension = 0;  ///< N/m, by which springs that push stretch the rest shape
@@ -83,12 +84,16 @@ struct SimulationInput {
 
   // Vertices and directors together are points: first the vertices, then the directors.
   std::size_t point_count() const { return mass.size() + directors.vertices.size(); }
-  Positions points() const;          ///< #P by 3, m: vertices and directors at the start
+  Positions points() const;  ///< #P by 3, m: vertices and directors at the start
   /// #P by 3, m: vertices at `vertices` (#V by 3, m), and directors with the least energy.
   Positions points_at(const Positions& vertices) const;
-  Positions rest_points() const;     ///< #P by 3, m; empty if `rest` is empty
+  Positions rest_points() const;            ///< #P by 3, m; empty if `rest` is empty
   double mass_of(std::size_t point) const;  ///< kg; see Directors::mass_share
   bool is_free(std::size_t point) const;    ///< not pinned, and with a mass
+  /// Whether the point keeps its coordinate along `axis` (0 to 2), although it is free.
+  bool is_held(std::size_t point, int axis) const {
+    return point < held.size() && (held[point] >> axis & 1) != 0;
+  }
 };
 
 struct PassStatistics {

@@ -51,11 +51,11 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
     if (free && row < input.velocities.rows())
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
-  // The corners of a padded SIMD lane are at different places, so that its element is never collapsed.
-  for (int corner = 1; corner < dummy_corners; ++corner)
-    for (int lane = 0; lane < max_lanes; ++lane)
-      state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
-          Vector3Of<Real>::Unit((corner - 1) % 3) * static_cast<Real>(1 + (corner - 1) / 3));
+  for (std::size_t v = 0; v < input.held.size(); ++v)
+    if (input.held[v] != 0 && input.is_free(v))
+      held_.push_back({permuted(v), {input.is_held(v, 0), input.is_held(v, 1), input.is_held(v, 2)}});
+  drop_held(state_.velocity);
+  place_dummies(state_.position, count);
   state_.previous = state_.position;
   if (rest.rows() == 0) return;
   rest_.resize(count + dummy_points);

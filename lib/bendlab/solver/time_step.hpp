@@ -2,6 +2,9 @@
 // test for divergence. A method adds the substep.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/workers.hpp"
@@ -95,6 +98,27 @@ class TimeStep : public Simulation {
   State<Real> state_;
   Constraints<Real> constraints_;
   std::uint64_t cut_substeps_ = 0;  ///< substeps added by cutting, beyond /solver/substeps
+
+  /// The axes along which each held vertex stays where it is, in the order of state_.position.
+  struct Held {
+    std::size_t point;
+    std::array<bool, 3> axes;
+  };
+  std::vector<Held> held_;
+  bool is_held(std::size_t point, int axis) const {
+    return std::ranges::any_of(held_, [&](const Held& held) {
+      return held.point == point && held.axes[static_cast<std::size_t>(axis)];
+    });
+  }
+  /// Sets the coordinates of held axes to 0.
+  void drop_held(Points<Real>& vectors) const {
+    for (const Held& held : held_) {
+      Vector3Of<Real> v = vectors[held.point].vector();
+      for (int axis = 0; axis < 3; ++axis)
+        if (held.axes[static_cast<std::size_t>(axis)]) v(axis) = 0;
+      vectors[held.point].set(v);
+    }
+  }
 
   /// The rest shape in the order of state_.position, or null.
   const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }

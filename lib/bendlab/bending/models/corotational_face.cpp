@@ -23,12 +23,13 @@ constinit const BendingKind CorotationalFace::kind{
     .label = "corotational face",
     .summary = "the curvature of each triangle, from the heights of its three neighbours above its plane",
     .source = "Chen, Kaufman and Vouga 2026, corotational hinge with a face stencil",
-    .limits = "sees no curvature at the border of the sheet; a sheet that is bent a little has less than the "
-              "stated rigidity",
+    .limits =
+        "sees no curvature at the border of the sheet; a sheet that is bent a little has less than the "
+        "stated rigidity",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<CorotationalFace>({}),
     .softness_needs_compliance = true,
-    .rigidity_is_exact = true,
+    .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
     .build = erased<build>,
 };

@@ -1,4 +1,5 @@
-// The discrete Kirchhoff triangle: normals at the vertices are unknowns, and follow the edges at their middles.
+// The discrete Kirchhoff triangle: normals at the vertices are unknowns; at the middles of edges they follow
+// the edges.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -21,18 +22,21 @@ using Vec = Eigen::Matrix<Scalar, 3, 1>;
 // Normals are quadratic over the triangle. At the middle of an edge, the part along the edge is such that the
 // edge bends as a cubic curve, and the part across it is the mean of both ends.
 template <class Scalar>
-Vec<Scalar> second_form(const std::array<Vec<Scalar>, 3>& v, const std::array<Vec<Scalar>, 3>& normal, double s,
-                        double t) {
-  const std::array<Eigen::Vector2d, 6> slope = {
-      Eigen::Vector2d(-3 + 4 * s + 4 * t, -3 + 4 * s + 4 * t), Eigen::Vector2d(4 * s - 1, 0),
-      Eigen::Vector2d(0, 4 * t - 1),                           Eigen::Vector2d(4 * t, 4 * s),
-      Eigen::Vector2d(-4 * t, 4 * (1 - s - 2 * t)),            Eigen::Vector2d(4 * (1 - 2 * s - t), -4 * s)};
+Vec<Scalar> second_form(const std::array<Vec<Scalar>, 3>& v, const std::array<Vec<Scalar>, 3>& normal,
+                        double s, double t) {
+  const std::array<Eigen::Vector2d, 6> slope = {Eigen::Vector2d(-3 + 4 * s + 4 * t, -3 + 4 * s + 4 * t),
+                                                Eigen::Vector2d(4 * s - 1, 0),
+                                                Eigen::Vector2d(0, 4 * t - 1),
+                                                Eigen::Vector2d(4 * t, 4 * s),
+                                                Eigen::Vector2d(-4 * t, 4 * (1 - s - 2 * t)),
+                                                Eigen::Vector2d(4 * (1 - 2 * s - t), -4 * s)};
   const Vec<Scalar> e1 = v[1] - v[0], e2 = v[2] - v[0], face = e1.cross(e2).normalized();
   std::array<Vec<Scalar>, 6> n;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
     n[i] = normal[i];
-    const Vec<Scalar> along = (v[k] - v[j]).normalized(), across = face.cross(along), sum = normal[j] + normal[k];
+    const Vec<Scalar> along = (v[k] - v[j]).normalized(), across = face.cross(along),
+                      sum = normal[j] + normal[k];
     n[3 + i] = across * (Scalar(0.5) * across.dot(sum)) - along * (Scalar(0.25) * along.dot(sum));
   }
   Vec<Scalar> b = Vec<Scalar>::Zero();
@@ -44,7 +48,8 @@ Vec<Scalar> second_form(const std::array<Vec<Scalar>, 3>& v, const std::array<Ve
   return b;
 }
 
-constexpr std::array<std::array<double, 2>, 3> quadrature = {{{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}}};
+constexpr std::array<std::array<double, 2>, 3> quadrature = {
+    {{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}}};
 
 struct Triangle {
   Eigen::Matrix2d inverse;                     // of the two edges in the rest triangle's plane, 1/m
@@ -74,8 +79,8 @@ Scalar energy_of(const Triangle& triangle, double poisson_ratio, const std::arra
     const Eigen::Matrix<Scalar, 2, 2> inverse = triangle.inverse.template cast<Scalar>();
     const Eigen::Matrix<Scalar, 2, 2> k = inverse.transpose() * form * inverse;
     const Scalar trace = k(0, 0) + k(1, 1);
-    sum += Scalar(0.5 * triangle.area / 3) * (Scalar(1 - poisson_ratio) * k.squaredNorm() +
-                                              Scalar(poisson_ratio) * trace * trace);
+    sum += Scalar(0.5 * triangle.area / 3) *
+           (Scalar(1 - poisson_ratio) * k.squaredNorm() + Scalar(poisson_ratio) * trace * trace);
   }
   return sum;
 }
@@ -188,14 +193,15 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
 constinit const BendingKind Dkt::kind{
     .name = "dkt",
     .label = "DKT",
-    .summary = "the discrete Kirchhoff triangle: the normals at the vertices are unknowns, and the normals at "
-               "the middles of edges follow from cubic edges",
+    .summary =
+        "the discrete Kirchhoff triangle: the normals at the vertices are unknowns, and the normals at "
+        "the middles of edges follow from cubic edges",
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
     .limits = "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
     .softness_needs_compliance = true,
-    .rigidity_is_exact = true,
+    .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
     .build = erased<build>,
 };

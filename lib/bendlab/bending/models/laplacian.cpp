@@ -22,7 +22,9 @@ double cotangent(const Vector3& a, const Vector3& b) {
 // derivative's integral along both border edges is added, so that the row is 0 for every linear function.
 std::vector<std::map<int, double>> rows_of(const RestMesh& rest, const std::vector<RestFace>& faces) {
   std::vector<std::map<int, double>> rows(static_cast<std::size_t>(rest.vertex_count()));
-  const auto add = [&](int row, int column, double value) { rows[static_cast<std::size_t>(row)][column] += value; };
+  const auto add = [&](int row, int column, double value) {
+    rows[static_cast<std::size_t>(row)][column] += value;
+  };
   for (const RestFace& face : faces)
     for (std::size_t i = 0; i < 3; ++i) {
       const int a = face.vertices[(i + 1) % 3], b = face.vertices[(i + 2) % 3], top = face.vertices[i];
@@ -82,15 +84,17 @@ constinit const BendingKind Laplacian::kind{
     .name = "laplacian",
     .label = "Laplacian",
     .summary = "the square of the mean curvature at every vertex, as the Laplacian of the positions",
-    .source = "Wardetzky et al. 2007, Discrete quadratic curvature energies, with piecewise linear functions; "
-              "border terms: Chen, Kaufman and Vouga 2026",
-    .limits = "has Poisson's ratio 1, so a sheet bends to a saddle without bending energy, and a narrow strip has "
-              "next to no rigidity at small deflections; takes vertices with at most 12 neighbours; cannot "
-              "distinguish the two directions of a fold",
+    .source =
+        "Wardetzky et al. 2007, Discrete quadratic curvature energies, with piecewise linear functions; "
+        "border terms: Chen, Kaufman and Vouga 2026",
+    .limits =
+        "has Poisson's ratio 1, so a sheet bends to a saddle without bending energy, and a narrow strip has "
+        "next to no rigidity at small deflections; takes vertices with at most 12 neighbours; cannot "
+        "distinguish the two directions of a fold",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Laplacian>({}),
     .softness_needs_compliance = true,
-    .rigidity_is_exact = true,
+    .rigidity_by_formula = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -12,8 +12,9 @@ namespace {
 constexpr std::array fields = {
     field<&MidEdge::measure>(
         {.name = "measure",
-         .meaning = "How the turn φ of the normal at an edge, away from the normal of the triangle, enters the "
-                    "curvature: tan φ, which grows without bound as a fold closes; sin φ; or theta: φ itself",
+         .meaning =
+             "How the turn φ of the normal at an edge, away from the normal of the triangle, enters the "
+             "curvature: tan φ, which grows without bound as a fold closes; sin φ; or theta: φ itself",
          .choices = turn_names}),
 };
 
@@ -53,8 +54,8 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
       rest[i] = face.side[i] == EdgeSide::border ? 0 : face.side[i] == EdgeSide::inside ? 0.5 : 1;
       const int d = director[static_cast<std::size_t>(face.edge[i])];
       const bool has_director = face.side[i] != EdgeSide::clamped;
-      // The angle of a director is its value divided by the mean height of the edge's triangles. A clamped edge
-      // has no director; the element names any director, and does not read it.
+      // The angle of a director is its value divided by the mean height of the edge's triangles. A clamped
+      // edge has no director; the element names any director, and does not read it.
       const double mean_height =
           face.side[i] == EdgeSide::inside ? 0.5 * (height + face.height_beyond[i]) : height;
       rest[13 + i] = has_director ? face.turns[i] / mean_height : 0;
@@ -89,16 +90,19 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
 constinit const BendingKind MidEdge::kind{
     .name = "mid_edge",
     .label = "mid-edge",
-    .summary = "the curvature of each triangle, from the sheet's normals at the middles of its edges, which are "
-               "unknowns",
-    .source = "Grinspun et al. 2006, Computing discrete shape operators; tan: Weischedel 2012 and Chen et al. "
-              "2018 (libshell); linearised, it is the Morley triangle",
-    .limits = "has three unknowns per vertex more than other models, so a step takes longer; projections "
-              "converge slowly",
+    .summary =
+        "the curvature of each triangle, from the sheet's normals at the middles of its edges, which are "
+        "unknowns",
+    .source =
+        "Grinspun et al. 2006, Computing discrete shape operators; tan: Weischedel 2012 and Chen et al. "
+        "2018 (libshell); linearised, it is the Morley triangle",
+    .limits =
+        "has three unknowns per vertex more than other models, so a step takes longer; projections "
+        "converge slowly",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder (a narrow strip: D (1 - ν²))",
     .settings = table_of<MidEdge>(fields),
     .softness_needs_compliance = true,
-    .rigidity_is_exact = true,
+    .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
     .build = erased<build>,
 };

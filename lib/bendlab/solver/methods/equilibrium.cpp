@@ -139,6 +139,7 @@ class EquilibriumSearch final : public TimeStep<double> {
       if (const int at = system_.free_index()[v]; at >= 0)
         loads_.segment<3>(3 * at) = state_.mass[v] / h * state_.velocity[v].vector();
     std::fill(state_.velocity.begin(), state_.velocity.end(), Point<double>{});
+    system_.drop_held(loads_);
     residual_ = loads_ - system_.gradient(positions_);
     unbalanced_ = relative(residual_);
     if (inverse_tau_squared_ < 0) start();
@@ -278,6 +279,7 @@ constinit const MethodKind Equilibrium::kind{
     .settings = table_of<Equilibrium>({}),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,

@@ -77,6 +77,7 @@ class NewtonStep final : public ImplicitStep<double> {
         residual.segment<3>(3 * at) += data_.contacts.force(v);
         blocks_.push_back({3 * at, data_.contacts.stiffness(v)});
       }
+    system_.drop_held(residual);
     factorise(diagonal);
     const VectorXd direction = solver_.solve(residual);
     const double longest = direction.cwiseAbs().maxCoeff();
@@ -178,6 +179,7 @@ constinit const MethodKind Newton::kind{
     .settings = table_of<Newton>(fields),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,

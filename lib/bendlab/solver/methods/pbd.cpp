@@ -58,6 +58,7 @@ constexpr std::array own_passes = {
     MethodPass{"predict", "x += h v"},
     MethodPass{"levels", "if levels is above 0: projects coarse levels, which move corrections far"},
     MethodPass{"strain", "/material/strain: keeps the triangles' shapes"},
+    MethodPass{"hold", "/pins/hold_x, hold_y, hold_z: moves held vertices back along their axes"},
     MethodPass{"update", "v from the change of x; looks for divergence"},
 };
 
@@ -296,7 +297,10 @@ class PbdStep final : public TimeStep<Real> {
     };
     add_effects(forces_, Stage::force);
     add_effects(before_, Stage::damp);
-    add_pass(before_, "predict", [this](auto& c) { predict(c.substep); });
+    add_pass(before_, "predict", [this](auto& c) {
+      predict(c.substep);
+      hold();
+    });
     add_on_positions(before_, {Stage::predicted});
     if (levels_ && levels_->count() > 0)
       add_pass(before_sweep_, "levels", [this](auto& c) { levels_->correct(places(), c.substep, workers_); });
@@ -313,10 +317,23 @@ class PbdStep final : public TimeStep<Real> {
                            forward_.back().statistics});
     }
     if (!strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
+    if (!this->held_.empty()) add_pass(after_sweep_, "hold", [this](auto&) { hold(); });
     std::reverse(backward_.begin(), backward_.end());
     add_on_positions(after_sweep_, {Stage::project, Stage::contact});
     add_pass(after_, "update", [this](auto& c) { update(c.substep); });
     add_effects(after_, Stage::velocity);
+  }
+
+  // Moves held vertices back along their held axes.
+  void hold() {
+    if (on_moves_) return this->drop_held(data_.moved);
+    for (const auto& held : this->held_) {
+      Vector3Of<Real> x = state_.position[held.point].vector();
+      const Vector3Of<Real> before = state_.previous[held.point].vector();
+      for (int axis = 0; axis < 3; ++axis)
+        if (held.axes[static_cast<std::size_t>(axis)]) x(axis) = before(axis);
+      state_.position[held.point].set(x);
+    }
   }
 
   // A batch without constraints gets no pass.
@@ -537,6 +554,7 @@ constinit const MethodKind Pbd::kind{
         "iterations converge; energy is not conserved; forward sweeps gain energy in short substeps",
     .settings = table_of<Pbd>(fields),
     .passes = own_passes,
+    .holds_axes = true,
     .takes_own_elements = true,
     .projects = true,
     .default_substeps = 8,

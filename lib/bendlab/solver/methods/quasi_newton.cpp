@@ -257,11 +257,13 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                            ? data_.weight[v] * (state_.position[v].vector() - data_.target[v].vector()) -
                                  force_[v].vector()
                            : Vector3Of<Real>::Zero().eval());
+    this->drop_held(gradient_);
   }
 
   // Moves the cloth by -share direction_, or by less, so that no vertex moves by more than longest_move_.
   // Returns the longest move, m.
   Real move(Real share) {
+    this->drop_held(direction_);
     Real longest = 0;
     for (const int v : free_)
       longest = std::max(longest, direction_[static_cast<std::size_t>(v)].vector().cwiseAbs().maxCoeff());
@@ -345,6 +347,7 @@ constinit const MethodKind QuasiNewton::kind{
     .passes = own_passes,
     .factorised = Factorised::scalars,
     .cost = 3.5,
+    .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,

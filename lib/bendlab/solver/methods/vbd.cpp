@@ -91,6 +91,11 @@ class VbdStep final : public ImplicitStep<double> {
       stiffness += data_.contacts.stiffness(v);
     }
     local.stiffness += stiffness;
+    for (int axis = 0; axis < 3; ++axis)
+      if (is_held(v, axis)) {
+        local.stiffness.row(axis).setZero(), local.stiffness.col(axis).setZero();
+        local.stiffness(axis, axis) = 1, local.force(axis) = outside(axis) = 0;
+      }
     const Vector3 step = local.stiffness.llt().solve(local.force + outside);
     constexpr int most_halvings = 10;
     double share = 1;
@@ -146,6 +151,7 @@ constinit const MethodKind Vbd::kind{
     .settings = table_of<Vbd>(fields),
     .passes = own_passes,
     .cost = 100,
+    .holds_axes = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,
     .default_substeps = 1,
