@@ -122,6 +122,9 @@ const ConstraintCost& bending_cost(const ClothKind& kind) {
   const std::string& model = kind.model;
   if (model == "choi_ko") return kind.compliance > 0 ? compliant_arc_cost : arc_cost;
   if (model == "isometric") return quadratic_cost;
+  if (model == "laplacian") return laplacian_cost;
+  if (model == "mid_edge") return mid_edge_cost;
+  if (model == "mid_edge_average" || model == "corotational_face") return face_cost;
   return model == "dihedral" || model == "bridson" ? hinge_cost : distance_cost;
 }
 
@@ -178,7 +181,8 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
   };
   using Sizes = std::vector<int>;
   for (const char* scalar : {"float", "double"}) {
-    for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric", "choi_ko"}) {
+    for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric", "choi_ko",
+                                    "laplacian", "mid_edge_average", "corotational_face", "mid_edge"}) {
       const bool first = model == "crossover";  // its cloth also serves for strain and steps
       const auto add_all = [&](const ClothKind& kind) {
         if (first) add(Part::strain, kind);

@@ -44,6 +44,20 @@ inline constexpr ConstraintCost hinge_cost{.corners = 4, .rest_scalars = 2, .flo
 /// Flops: Kx (24), |Kx| (6), gradients (16), Σ w|∇C|² (24), step (4), four corrections (28).
 inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, .flops = 102};
 
+/// A triangle without directors. Flops: edges, normal and area (21); at each of three edges (429): vectors
+/// and lengths (17), direction inwards (12), feet (15), the neighbour's normal (21), sine and cosine (10),
+/// arc tangent (20), measure (26), turn and its gradient (22); U u and its length (23), weights (12),
+/// gradients (126), Σ w|∇C|² (36), step (4), six corrections (42).
+inline constexpr ConstraintCost face_cost{.corners = 6, .rest_scalars = 13, .flops = 693};
+
+/// A triangle with directors. Flops: face_cost (693), three directors with their angles (6), gradients (9),
+/// Σ w|∇C|² (6) and corrections (6).
+inline constexpr ConstraintCost mid_edge_cost{.corners = 9, .rest_scalars = 16, .flops = 720};
+
+/// A vertex and its ring, 13 corners with the padding. Flops: Kx (72), |Kx| (6), gradients (52), Σ w|∇C|²
+/// (78), step (4), corrections (91).
+inline constexpr ConstraintCost laplacian_cost{.corners = 13, .rest_scalars = 15, .flops = 303};
+
 /// With k. Flops: d and |d| (9), C (1), ∇C (3), Σ w|∇C|² (12), step (2), two corrections (14).
 inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops = 41};
 

@@ -157,8 +157,8 @@ std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::s
   std::vector<std::size_t> order(expected_s.size()), shards(expected_s.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return expected_s[a] > expected_s[b]; });
-  using Load = std::pair<double, std::size_t>;  // s, shard
-  std::priority_queue<Load, std::vector<Load>, std::greater<>> emptiest;
+  using Busy = std::pair<double, std::size_t>;  // s, shard
+  std::priority_queue<Busy, std::vector<Busy>, std::greater<>> emptiest;
   for (std::size_t shard = 0; shard < count; ++shard) emptiest.push({0.0, shard});
   for (const std::size_t run : order) {
     const auto [load, shard] = emptiest.top();

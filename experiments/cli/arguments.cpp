@@ -44,6 +44,7 @@ struct Arguments {
   std::filesystem::path mesh_copy;
   StiffnessArguments stiffness;
   AdviseArguments advise;
+  DialectArguments dialect;
   BenchOptions bench;
   ListArguments listed;
   CompareArguments compared;
@@ -57,10 +58,11 @@ struct Arguments {
 };
 
 // Examples for --help: complete commands for a checkout with results.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> examples = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 27> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
     {"validate", "bendlab validate configs/recommended.json"},
+    {"energy", "bendlab energy configs/verification/half_cylinder.json"},
     {"reproduce", "bendlab reproduce paper"},
     {"work", "bendlab work results/plans/first-0a1b2c3d.plan.json --shard 0/8"},
     {"status", "bendlab status results/plans/first-0a1b2c3d.plan.json"},
@@ -74,6 +76,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> examples
     {"view", "bendlab view results/first --play cells=16"},
     {"stiffness", "bendlab stiffness results/strip"},
     {"advise", "bendlab advise configs/advise/strip.json --error 5%"},
+    {"dialect", "bendlab dialect newton --edge-ke 10 garment.obj"},
     {"mesh", "bendlab mesh garment.obj --bad-triangles repair"},
     {"bench", "bendlab bench --quick --filter strain"},
     {"models", "bendlab models --json"},
@@ -173,6 +176,12 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       ->type_name("PLAN");
   add_shown(plan, "--out", a.options.out, "Folder of the results");
   add_json(plan, a, "Print one JSON object per run");
+
+  CLI::App* energy = add_command(
+      app, a, "energy", "Print the elastic energies and forces of the pose at the start of every run",
+      [&a] { return energy_command(a.configs, a.json); });
+  add_configs(energy, a);
+  add_json(energy, a, "Print one JSON object per run");
 
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report every problem",
                                    [&a] { return validate_command(a.configs, a.strict); });
@@ -448,6 +457,22 @@ void add_advise_command(CLI::App& app, Arguments& a) {
   add_json(advise, a, "Print one JSON object");
 }
 
+void add_dialect_command(CLI::App& app, Arguments& a) {
+  CLI::App* dialect = add_command(
+      app, a, "dialect", "Convert a bending number of another engine to a flexural rigidity B, or back",
+      [&a] { return dialect_command(a.dialect, a.json); });
+  dialect->add_option("NAME", a.dialect.name, "Dialect: a formula of an engine (default: list all dialects)");
+  dialect->add_option("FILE", a.dialect.file,
+                      "Mesh (.obj, .ply, .off or .stl), or config with a mesh (.json) (default: a grid)");
+  dialect->add_option("--rigidity", a.dialect.rigidity,
+                      "B in N m: print the engine's number that has this rigidity");
+  for (const auto& [name, meaning] : dialect_options())
+    dialect->add_option("--" + name, a.dialect.numbers[name], meaning);
+  add_repeatable(dialect, "/POINTER=VALUE", "--set", a.dialect.overrides,
+                 "Change a setting of the config, such as /mesh/cells=64. Repeatable");
+  add_json(dialect, a, "Print one JSON object");
+}
+
 void add_mesh_command(CLI::App& app, Arguments& a) {
   CLI::App* mesh = add_command(
       app, a, "mesh", "Check a mesh file and print the quality of its triangles",
@@ -557,6 +582,7 @@ int parsed_command(int argc, char** argv) {
   add_page_commands(app, arguments);
   add_stiffness_command(app, arguments);
   add_advise_command(app, arguments);
+  add_dialect_command(app, arguments);
   add_mesh_command(app, arguments);
   add_bench_command(app, arguments);
   add_documentation(app, arguments, "models", "List the bending models: settings, defaults, sources",

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,6 +31,8 @@ int run_command(const ConfigArguments& configs, const CampaignOptions& options, 
 /// Lists the runs of configs. `write`: file for the plan that work_command() reads; empty: no file.
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out,
                  const std::filesystem::path& write, bool json);
+/// Prints the elastic energies and forces of the poses at the start of all runs, without a step.
+int energy_command(const ConfigArguments& configs, bool json);
 /// Checks configs. `strict`: builds every run, and treats warnings as errors.
 int validate_command(const ConfigArguments& configs, bool strict);
 
@@ -165,6 +168,20 @@ struct AdviseArguments {
 /// Finds the model, method, substeps, iterations and precision for a scene, by runs below <out>/advise. Exit
 /// code 1 if no setting meets the demand.
 int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json);
+
+struct DialectArguments {
+  std::string name;                                      ///< empty: list all dialects
+  std::filesystem::path file;                            ///< mesh, or config (.json); empty: a grid
+  std::vector<std::string> overrides;                    ///< of the config: "/json/pointer=value"
+  std::map<std::string, std::optional<double>> numbers;  ///< by the names of dialect_options()
+  std::optional<double> rigidity;                        ///< N m, to be converted to the engine's number
+};
+
+/// The names of all numbers that dialects have, and their meanings.
+std::vector<std::pair<std::string, std::string>> dialect_options();
+
+/// Converts a number by which another engine states bending to a flexural rigidity on a mesh, or back.
+int dialect_command(const DialectArguments& arguments, bool json);
 
 /// Measures what the solver costs on this machine. `list`: only prints the names of the benchmarks.
 int bench_command(const BenchOptions& options, bool list, bool json);

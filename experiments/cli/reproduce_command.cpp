@@ -35,6 +35,7 @@ constexpr PageStage whole_paper = {{"paper", "recommended.json"}};
 constexpr std::array reproducibles = {
     Reproducible{"everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}}}},
     Reproducible{"paper", "paper", {first_figure, whole_paper}},
+    Reproducible{"verification", "verification", {PageStage{{"verification"}}}},
     Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}}}},
     Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin", "methods"}}}},
     Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}}}},

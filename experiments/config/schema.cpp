@@ -277,6 +277,8 @@ std::string kinds_text(std::span<const Kind* const> kinds) {
     add("Source", kind->source);
     if constexpr (requires { kind->limits; }) add("Limits", kind->limits);
     if constexpr (requires { kind->compliance; }) add("Compliance", kind->compliance);
+    if constexpr (requires { kind->takes_poisson_ratio; })
+      if (kind->takes_poisson_ratio) add("Poisson's ratio", "/material/poisson_ratio");
     text += kind->settings.fields.empty() ? "  No settings\n" : rows_text(rows_of(kind->settings));
     text += more_text(*kind);
   }
@@ -295,6 +297,8 @@ Json kinds_json(std::span<const Kind* const> kinds) {
     entry["summary"] = kind->summary, entry["source"] = kind->source;
     if constexpr (requires { kind->limits; }) entry["limits"] = kind->limits;
     if constexpr (requires { kind->compliance; }) entry["compliance"] = kind->compliance;
+    if constexpr (requires { kind->takes_poisson_ratio; })
+      entry["takes_poisson_ratio"] = kind->takes_poisson_ratio;
     add_more(*kind, entry);
     entry["settings"] = rows_json(rows_of(kind->settings));
   }
