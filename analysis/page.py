@@ -7,11 +7,12 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import argparse
 from pathlib import Path
 
-from pages import accuracy, paper, performance, plain, stability, start, stiffness
+from pages import accuracy, paper, performance, plain, stability, start, stiffness, verification
 from pages.project import KEPT, draw, drawn, lay_out
 from tables import committed
 
-PAGES = {page.PAGE.name: page for page in (paper, stiffness, accuracy, stability, performance, plain)}
+PAGES = {page.PAGE.name: page
+         for page in (paper, verification, stiffness, accuracy, stability, performance, plain)}
 
 
 def main():

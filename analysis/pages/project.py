@@ -21,7 +21,8 @@ from tables.table import Table
 from web.html_parts import Made, Part, chart_html, escape, page, section_part, table_html
 from web.origin import most_frequent
 
-NAMES = {"paper": "The paper", "stiffness": "Stiffness", "accuracy": "Accuracy", "stability": "Stability",
+NAMES = {"paper": "The paper", "verification": "Verification", "stiffness": "Stiffness",
+         "accuracy": "Accuracy", "stability": "Stability",
          "performance": "Performance", "plain": "Plain scenes"}  # folder below results/ → its name in links
 KEPT = "page.json"
 

@@ -17,9 +17,11 @@ from tables.table import Table
 from web.html_parts import Made, Part, escape, folded, page, table_html
 
 TITLE = "Bending models for cloth: which one, how stiff, how stable, at what cost"
-PICTURES = {"paper": "fig_5_promise.png", "stiffness": "effective.png", "accuracy": "levels.png",
+PICTURES = {"paper": "fig_5_promise.png", "verification": "cells.png", "stiffness": "effective.png",
+            "accuracy": "levels.png",
             "stability": "fig_stability_start_poses.png", "performance": "step.png"}
-QUESTIONS = {"paper": "Are the paper's claims true?", "stiffness": "How stiff is it really?",
+QUESTIONS = {"paper": "Are the paper's claims true?", "verification": "Are the equations solved?",
+             "stiffness": "How stiff is it really?",
              "accuracy": "What does accuracy cost?", "stability": "What is stable?",
              "performance": "What does the solver cost?", "plain": "Does any run go wrong without a warning?"}
 FAMILIES = {"equilateral": "equilateral triangles", "grid": "a grid of squares with diagonals",

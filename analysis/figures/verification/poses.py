@@ -1,0 +1,59 @@
+"""Bending energies of prescribed poses against closed forms."""
+from runs import verified
+from tables.numbers import percents
+from truths import surfaces
+
+POISSON = 0.3
+# Config → (name, energy over D by ν, further configs). laplacian has ν = 1, whatever the scene states.
+POSES = {"half_cylinder": ("half-cylinder", surfaces.half_cylinder, ["half_cylinder_dkt"]),
+         "rest_curved": ("half-cylinder from the other half-cylinder",
+                         lambda nu: surfaces.rest_curved_cylinder(
+                             nu, surfaces.CYLINDER["radius"], surfaces.CYLINDER["radius"] * 3.141592653589793,
+                             same_side=True), []),
+         "sphere": ("sphere from flat", surfaces.sphere, []),
+         "half_torus": ("half torus from flat", surfaces.half_torus, []),
+         "helix": ("developable helix", surfaces.helix, [])}
+MID_EDGE = "mid_edge"  # the name of the model with directors; its measures follow in brackets
+THREE_TIMES = ("discrete_shells", "isometric")
+
+
+def main(results, out, section):
+    rows, charted = [], []
+    for config, (name, energy, more) in POSES.items():
+        runs = verified.runs_of(results, section, config, *more)
+        for (model, family), own in verified.by_model_and_family(runs).items():
+            if family in ("sphere", "tube"):
+                family = {"sphere": "octahedron, subdivided", "tube": "rings"}[family]
+            poisson = own[0].get("/material/poisson_ratio", 0) if config not in ("half_cylinder",) else 0
+            truth = energy(1 if own[0].model == "laplacian" else poisson)
+            made = verified.converging(own, lambda run: run.summary["energy_bending_start"], truth)
+            rows.append({"pose": name, "model": model, "family": family, "truth": truth} | made.cells())
+            charted += [{"pose": name, "model": model, "family": family, "h": 1000 * row["h"],
+                         "ratio": row["value"] / truth,
+                         "error": 100 * abs(row["value"] / truth - 1)} for row in made.rows]
+    section.add_table("poses", "Bending energy over the closed form", [
+        "pose", "model", ("family", "mesh"), ("truth", "energy / D"), *verified.columns()], rows)
+    section.add_table("meshes", "", ["pose", "model", ("family", "mesh"), ("h", "mean edge", "", "mm"),
+                                     ("ratio", "energy over truth"), ("error", "error", "", "%")], charted)
+    near = [row for row in rows if row["model"].startswith(MID_EDGE) and row["verdict"] == "agrees"]
+    mid = [row for row in rows if row["model"].startswith(MID_EDGE)]
+    title = (f"Mid-edge models agree with the closed form in {len(near)} of {len(mid)} rows; on their finest "
+             f"meshes they are within {percents([1 + abs(row['off']) / 100 for row in mid])} %"
+             if mid else "Bending energies of poses")
+    section.add_chart("meshes", "Bending energy of a pose over its closed form", "h", ["ratio", "error"],
+                      ["model"], held=["pose", "family"], at="half-cylinder", y_scale="linear",
+                      limits=[("ratio", 1, "closed form")])
+    section.text += " " + title + "."
+    weights(section, rows)
+
+
+def weights(section, rows):
+    """What the weight 3 |e|² / (A₁ + A₂) of another code gives: three times our ½-weighted energies, because
+    the formula is the same up to this factor."""
+    three = [{"model": row["model"], "family": row["family"], "ours": row["finest"],
+              "theirs": 3 * row["finest"]}
+             for row in rows if row["pose"] == "half-cylinder" and row["model"] in THREE_TIMES]
+    section.add_table(
+        "three_times", "The weight 3 |e|² / (A₁ + A₂) instead of |e|² / (A₁ + A₂), on the half-cylinder", [
+            "model", ("family", "mesh"), ("ours", "energy over truth, ours", ".3f"),
+            ("theirs", "with the weight of better-bending's code", ".3f")], three)

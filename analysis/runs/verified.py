@@ -1,0 +1,118 @@
+"""Runs of the verification page: names of their models and meshes, displacements, and convergence."""
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from bendlab.results.load import group
+from runs.sweeps import complete_runs, leave_out, load_experiment
+from tables import looks
+from truths import order
+
+UNBALANCED = 1e-4  # share of the loads; a static run with a larger unbalanced force is no equilibrium
+FAMILIES = {"same": "one diagonal", "alternating": "alternating", "both": "both diagonals",
+            "delaunay": "irregular", "equilateral": "equilateral"}
+MEASURES = {"mid_edge": "tan", "discrete_shells": "theta"}  # the default measure of a model
+
+
+def runs_of(results, section, *configs):
+    """Complete runs of configs/verification/<config>.json, without static runs whose forces are not balanced.
+    The section names the runs that are left out."""
+    runs, is_balanced = [], lambda run: run.summary.get("unbalanced", 0) <= UNBALANCED
+    for config in configs:
+        complete = complete_runs(section, load_experiment(results, f"verification/{config}"))
+        leave_out(section, [run for run in complete if not is_balanced(run)], "found no equilibrium")
+        runs += filter(is_balanced, complete)
+    return runs
+
+
+def model(run):
+    """The name of a run's model, with its measure if that is not the default."""
+    own = run.get(f"/bending/{run.model}/measure")
+    name = looks.model_name(run.model)
+    return f"{name} ({own})" if own and own != MEASURES.get(run.model) else name
+
+
+def family(run):
+    """The kind of a run's mesh."""
+    generator = run.get("/mesh/generator")
+    name = FAMILIES.get(run.get("/mesh/diagonal") if generator == "grid" else generator, generator)
+    return f"{name} 4:1" if run.get("/mesh/aspect", 1) == 4 else name
+
+
+def corner_displacement(run, place):
+    """The displacement of the vertex that is nearest to `place` at rest, from rest to the last frame."""
+    rest = run.rest_positions
+    vertex = int(np.argmin(np.linalg.norm(rest - np.asarray(place), axis=1)))
+    return run.positions(-1)[vertex] - rest[vertex]
+
+
+@dataclass
+class Converging:
+    """A number of a model on a family of meshes against its truth."""
+
+    rows: list  # {"h": mesh size, "value": number}, coarsest first
+    truth: float
+    result: order.Convergence | None  # None: fewer than three meshes
+
+    @property
+    def finest(self):
+        return self.rows[-1]["value"]
+
+    @property
+    def off(self):
+        """Relative error on the finest mesh."""
+        return self.finest / self.truth - 1
+
+    @property
+    def uncertainty(self):
+        """Relative uncertainty of the finest value; NaN if convergence is not known."""
+        if self.result is None or not math.isfinite(self.result.index):
+            return math.nan
+        return abs(self.result.uncertainty / self.truth)
+
+    @property
+    def verdict(self):
+        """What the three finest meshes show."""
+        if self.result is None:
+            return "too few meshes"
+        if self.result.kind == "divergent":
+            return "does not converge"
+        apart = abs(self.result.limit / self.truth - 1)
+        if abs(self.off) <= max(self.uncertainty, 1e-9) or apart <= 0.01:
+            return "agrees"
+        return f"converges to {self.result.limit / self.truth:.3f}"
+
+    def cells(self):
+        """The values of the columns of columns()."""
+        known = self.result is not None and self.result.kind == "monotonic"
+        return {"finest": self.finest / self.truth, "off": 100 * self.off,
+                "order": self.result.order if known else math.nan,
+                "limit": self.result.limit / self.truth if known else math.nan,
+                "bar": 100 * self.uncertainty, "verdict": self.verdict}
+
+
+def columns():
+    """The columns that cells() fills."""
+    return [("finest", "finest mesh over truth", ".4f"), ("off", "error", "+.2f", "%"),
+            ("order", "observed order", ".2f"), ("limit", "limit over truth", ".4f"),
+            ("bar", "uncertainty", ".2g", "%", "grid convergence index (Roache 1994) of the finest mesh, "
+                                               "from "
+             "the three finest meshes, relative to the truth"), "verdict"]
+
+
+def converging(runs, value, truth, size=lambda run: run.summary["edge_length"]):
+    """Converging of runs that differ only in the size of their cells. `value`: run → number."""
+    rows = sorted(({"h": size(run), "value": value(run), "run": run} for run in runs),
+                  key=lambda row: -row["h"])
+    last = rows[-3:]
+    sizes = [row["h"] for row in last]
+    made = None
+    if len(last) == 3 and len(set(sizes)) == 3 and all(math.isfinite(row["value"]) for row in last):
+        made = order.converge(sizes, [row["value"] for row in last])
+    return Converging(rows, truth, made)
+
+
+def by_model_and_family(runs, *more):
+    """{(model, family, …): runs}; `more`: run → a further part of the key."""
+    return group(runs, lambda run: (model(run), family(run), *(key(run) for key in more)))
