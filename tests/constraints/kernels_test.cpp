@@ -3,6 +3,7 @@
 #include "bendlab/constraints/kernels.hpp"
 
 #include "bendlab/constraints/oracle.hpp"
+#include "bendlab/constraints/sine_projection.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -172,13 +173,15 @@ double largest_difference(const Points<Real>& a, const Points<Real>& b) {
 template <class Real>
 constexpr double agreement = 2e3 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// How much more a tangent depends on its angle than the angle itself: 2 (1 + tan² φ) at the steepest turn.
+// How much more a tangent depends on its angle φ than the angle itself: 2 (1 + tan² φ) at the steepest turn. A
+// projection of a sine by k turns a hinge by 2 tan φ, φ up to 66 degrees (sine_projection.hpp).
 template <class Batch>
 double amplification(const Batch& batch) {
-  constexpr double steep = 1.4;
-  const double by_tangent = 2 * (1 + std::tan(steep) * std::tan(steep));
+  const auto of = [](double steep) { return 2 * (1 + std::tan(steep) * std::tan(steep)); };
   if constexpr (requires { batch.law == decltype(batch.law)::tangent; })
-    return batch.law == decltype(batch.law)::tangent ? by_tangent : 1;
+    return batch.law == decltype(batch.law)::tangent ? of(1.4)
+           : batch.law == decltype(batch.law)::sine  ? of(std::asin(largest_sine / 2))
+                                                     : 1;
   else
     return 1;
 }

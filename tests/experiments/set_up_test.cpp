@@ -30,9 +30,7 @@ const std::string small = R"("mesh": {"cells": 4}, )";
 const std::vector<Refusal> refusals = {
     {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "adaptive"})",
      "/bending/stiffness",
-     "choose a model made of hinges (dihedral, bridson, discrete_shells, isometric), or state the stiffness "
-     "by k "
-     "or compliance",
+     "discrete_shells",
      {"--set /bending/model=dihedral", "--set /bending/model=isometric",
       R"(--set '/bending={"model":"adaptive","k":0.5}')",
       R"(--set '/bending={"model":"adaptive","compliance":1e-3}')"}},

@@ -16,9 +16,10 @@ double bending_compliance(const BendingKind& model) {
 }
 
 double total_energy(const SimulationInput& input, const Simulation& simulation) {
-  const Positions x = simulation.positions(), v = simulation.velocities();
+  const Positions x = simulation.positions(), v = simulation.velocities(), points = input.points_at(x);
   double energy = elastic_energy(input.strain, input.strain_stiffness.form, x) / membrane_compliance +
-                  (elastic_energy(input.distance, x) + elastic_energy(input.elements, x)) /
+                  (elastic_energy(input.distance, x) + elastic_energy(input.elements, points) +
+                   elastic_energy(input.own, points)) /
                       input.bending_stiffness.compliance;
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
     const double mass = input.mass[static_cast<std::size_t>(i)];

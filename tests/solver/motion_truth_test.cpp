@@ -322,8 +322,10 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
           INFO(model.name << ", " << method << ", " << integrator << ", h " << h);
           SimulationInput input =
               compliant(test::sheet(rest, pins, model.name), method, 1e-3, model.compliance);
-          const auto simulation =
-              implicit_steps(input, method, integrator, h, forces(), method == "newton" ? 20 : 100);
+          const auto simulation = implicit_steps(input, method, integrator, h, forces(),
+                                                 method == "newton"         ? 20
+                                                 : model.name == "mid_edge" ? 800
+                                                                            : 100);
           double largest = 0;
           for (int step = 0; step < 60; ++step) {
             REQUIRE(simulation->step());

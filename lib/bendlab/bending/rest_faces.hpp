@@ -18,14 +18,15 @@ enum class EdgeSide {
 
 struct RestFace {
   std::array<int, 3> vertices;
-  std::array<int, 3> beyond;       ///< the vertex beyond edge i, which lies opposite vertices[i]; else vertices[i]
-  std::array<int, 3> edge;         ///< index of edge i among all edges
+  std::array<int, 3> beyond;  ///< the vertex beyond edge i, which lies opposite vertices[i]; else vertices[i]
+  std::array<int, 3> edge;    ///< index of edge i among all edges
   std::array<EdgeSide, 3> side;
-  std::array<double, 3> turns;     ///< +1 or -1: the two triangles of an edge differ, unless one lies upside down
-  std::array<double, 3> height;    ///< of the triangle above edge i, m
+  std::array<double, 3>
+      turns;  ///< +1 or -1: the two triangles of an edge differ, unless one lies upside down
+  std::array<double, 3> height;         ///< of the triangle above edge i, m
   std::array<double, 3> height_beyond;  ///< of the neighbour above edge i, m; 0 at a border
-  std::array<Vector2, 3> inwards;  ///< t_i in coordinates of the triangle's plane
-  double area;                     ///< m²
+  std::array<Vector2, 3> inwards;       ///< t_i in coordinates of the triangle's plane
+  double area;                          ///< m²
 };
 
 /// All triangles that have an area, in the order of the mesh.

@@ -10,6 +10,7 @@
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/pack_turn.hpp"
+#include "bendlab/constraints/sine_projection.hpp"
 
 namespace bendlab {
 
@@ -20,6 +21,12 @@ struct PackKernel<Real, HingeAngle, law> : ElasticKernel<Real, HingeAngle> {
 
   BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const P& squared, const Rest& rest) {
     return squared * rest[1] * rest[1] > broadcast<Real>(1);
+  }
+
+  BENDLAB_INLINE static PackMask<Real> resists(const P& value) {
+    constexpr Real most =
+        law == HingeAngle::Law::sine ? Real(largest_sine) : std::numeric_limits<Real>::infinity();
+    return (value < P{} ? -value : value) < broadcast<Real>(most);
   }
 
   BENDLAB_INLINE static P rest_size_squared(const Rest& rest) { return 1 / (rest[1] * rest[1]); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bendlab/constraints/kinds.hpp"
+#include "bendlab/constraints/sine_projection.hpp"
 
 namespace bendlab {
 namespace {
@@ -63,6 +64,15 @@ ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
   if (c.defined || c.value == 0 || rest[0] == nullptr) return c;
   const ConstraintValue<Real, N> at_rest = value_at(vectors_of<Real>(rest));
   return {c.value, at_rest.gradient, at_rest.defined};
+}
+
+// Whether a projection with k acts.
+template <class Kind, class Real>
+bool resists(Real value, typename Kind::Law law) {
+  if constexpr (std::is_same_v<Kind, HingeAngle>)
+    return law != HingeAngle::Law::sine || std::abs(value) < Real(largest_sine);
+  else
+    return true;
 }
 
 template <class Real, class... Offsets>
@@ -211,7 +221,7 @@ void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
         project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane], reach);
       else if (c.value < 0)
         project_by_oracle<Real>(p, c, batch.k, nullptr, 0, reach);
-    } else {
+    } else if (compliant || resists<Kind>(c.value, batch.law)) {
       project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
     }
   });
@@ -223,7 +233,7 @@ void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const El
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const auto p = corners_of<Kind>(points, batch, lane);
     const auto c = Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law);
-    if (OneSided<Kind> && !(c.value < 0)) return;
+    if ((OneSided<Kind> && !(c.value < 0)) || !resists<Kind>(c.value, batch.law)) return;
     damp_by_oracle(p, corners_of<Kind>(velocities, batch, lane), c, k);
   });
 }

@@ -78,6 +78,7 @@ std::vector<Couple> couples(const EdgeMoment& settings, const EffectInput& input
 
 template <class Real>
 std::vector<Pass<Real>> compile(const EdgeMoment& settings, const EffectInput& input) {
+  if (settings.moment == 0) return {};
   return {{"moment", Stage::force,
            [ramp = settings.ramp, all = couples(settings, input)](PassContext<Real>& context) {
              State<Real>& state = context.state;

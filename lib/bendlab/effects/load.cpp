@@ -136,6 +136,7 @@ class Loading {
 
 template <class Real>
 std::vector<Pass<Real>> compile(const Load& settings, const EffectInput& input) {
+  if (settings.force.isZero(0)) return {};
   return {{"load", Stage::force, Loading<Real>(settings, input)}};
 }
 

@@ -22,6 +22,7 @@ constexpr std::array fields = {
 
 template <class Real>
 std::vector<Pass<Real>> compile(const Pressure& settings, const EffectInput& input) {
+  if (settings.pressure == 0) return {};
   std::vector<std::array<std::size_t, 3>> triangles;
   for (int t = 0; t < input.rest.triangle_count(); ++t) {
     const auto row = input.rest.triangles().row(t);

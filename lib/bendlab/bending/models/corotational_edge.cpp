@@ -22,7 +22,9 @@ constinit const BendingKind CorotationalEdge::kind{
     .label = "corotational edge",
     .summary = "hinge energy ∝ (2 sin(θ/2))² edge² / area over every interior edge",
     .source = "Chen, Kaufman and Vouga 2026, corotational hinge with an edge stencil, at rest heights",
-    .limits = "as discrete_shells; its moment falls beyond a right angle, so it hardly opens a closed fold",
+    .limits =
+        "as discrete_shells; its moment falls beyond a right angle, so it hardly opens a closed "
+        "fold; with k it does not act beyond 134 degrees",
     .compliance =
         "1 / D, D the flexural rigidity in N m on equilateral triangles, as that of discrete_shells",
     .settings = table_of<CorotationalEdge>({}),

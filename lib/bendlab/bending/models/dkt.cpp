@@ -197,7 +197,9 @@ constinit const BendingKind Dkt::kind{
         "the discrete Kirchhoff triangle: the normals at the vertices are unknowns, and the normals at "
         "the middles of edges follow from cubic edges",
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
-    .limits = "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness",
+    .limits =
+        "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness; with "
+        "pbd, a stiff sheet may gain energy, so use newton, quasi_newton or equilibrium",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
     .softness_needs_compliance = true,

@@ -36,9 +36,24 @@ std::vector<int> directors_of_edges(const std::vector<RestFace>& faces, const Pi
   return director;
 }
 
+// Begins with the clamped edges: they have no director, so their elements name that of a later edge, and
+// kernels write the corners in order.
+RestFace clamped_first(RestFace face) {
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    if (face.side[i] == EdgeSide::clamped && face.side[(i + 2) % 3] != EdgeSide::clamped) first = i;
+  const auto rotate = [&](auto&... values) {
+    (std::ranges::rotate(values, values.begin() + static_cast<std::ptrdiff_t>(first)), ...);
+  };
+  rotate(face.vertices, face.beyond, face.edge, face.side, face.turns, face.height, face.height_beyond,
+         face.inwards);
+  return face;
+}
+
 BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
   BendingConstraints constraints;
-  const std::vector<RestFace> faces = rest_faces(input.rest, input.pins);
+  std::vector<RestFace> faces = rest_faces(input.rest, input.pins);
+  std::ranges::transform(faces, faces.begin(), clamped_first);
   const std::vector<int> director = directors_of_edges(faces, input.pins, constraints.directors);
   auto& list = std::get<ElementList<MidEdgeBend>>(constraints.elements);
   list.law = static_cast<MidEdgeBend::Law>(settings.measure);
@@ -61,7 +76,6 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
       rest[13 + i] = has_director ? face.turns[i] / mean_height : 0;
       corner[6 + i] = has_director ? input.rest.vertex_count() + d : -1;
     }
-    // Kernels write the corners in order, so a director that is named twice has to be a copy of a later one.
     for (std::size_t i = 3; i-- > 0;)
       if (corner[6 + i] < 0)
         for (std::size_t j = 0; j < 3; ++j)
