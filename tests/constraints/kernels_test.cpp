@@ -82,6 +82,9 @@ struct Crumpled {
         make_element_batch<Real>(list, colour_order(list.vertices, point_count()), point_count());
     // The compliance of one-sided kinds is large, so that some of their elements yield to their load.
     batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(OneSided<Kind> ? 1e3 : 1e-2);
+    // Compliant projections of a sine, too, turn a hinge by at most 2 tan φ, if they are soft enough.
+    if constexpr (std::is_same_v<Kind, HingeAngle>)
+      if (law == HingeAngle::Law::sine) batch.compliance = 10;
     if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);
     return batch;
   }
@@ -89,7 +92,7 @@ struct Crumpled {
   // Leaves out hinges that are nearly closed, and makes rest angles small. Where a hinge is nearly closed,
   // sin(θ/2) does not depend on the angle, so that rounding decides how far a projection moves the corners.
   void open_hinges(ElementList<HingeAngle>& list) const {
-    constexpr double widest = 1.5, share = 0.4;  // rad; of the rest angles
+    constexpr double widest = 0.8, share = 0.4;  // rad; of the rest angles
     ElementList<HingeAngle> open{.vertices = {}, .rest = {}, .softness = {}, .law = list.law};
     for (std::size_t c = 0; c < list.size(); ++c) {
       std::array<Vector3, 4> p;
