@@ -77,8 +77,9 @@ TEST_CASE("the energy of a cylinder does not depend on Poisson's ratio, that of 
 }
 
 TEST_CASE("the energy of a sheet that is bent a little converges to that of the smooth sheet", "[bending]") {
-  // Linearised, the mid-edge model is the Morley triangle, which is exact for constant curvature. Directors at the
-  // border are free, and lower the energy within half a cell, so that the error is halved with the cells.
+  // Linearised, the mid-edge model is the Morley triangle, which is exact for constant curvature. Directors
+  // at the border are free, and lower the energy within half a cell, so that the error is halved with the
+  // cells.
   const double kxx = 1e-4, kyy = -2e-4, kxy = 0.5e-4;
   const double squares = kxx * kxx + kyy * kyy + 2 * kxy * kxy, trace = kxx + kyy;
   for (const std::string_view model : {"mid_edge", "dkt"})

@@ -176,8 +176,8 @@ double largest_difference(const Points<Real>& a, const Points<Real>& b) {
 template <class Real>
 constexpr double agreement = 2e3 * static_cast<double>(std::numeric_limits<Real>::epsilon());
 
-// How much more a tangent depends on its angle φ than the angle itself: 2 (1 + tan² φ) at the steepest turn. A
-// projection of a sine by k turns a hinge by 2 tan φ, φ up to 66 degrees (sine_projection.hpp).
+// How much more a tangent depends on its angle φ than the angle itself: 2 (1 + tan² φ) at the steepest turn.
+// A projection of a sine by k turns a hinge by 2 tan φ, φ up to 66 degrees (sine_projection.hpp).
 template <class Batch>
 double amplification(const Batch& batch) {
   const auto of = [](double steep) { return 2 * (1 + std::tan(steep) * std::tan(steep)); };

@@ -17,8 +17,8 @@ struct RestHinge {
 };
 
 /// One hinge per interior edge, in the order of the edges, if at least one of the hinge's vertices is free. A
-/// hinge on a degenerate triangle (see bad_triangles.hpp) has no angle and is left out. `is_flat`: every hinge
-/// has the rest angle 0, whatever the rest shape.
+/// hinge on a degenerate triangle (see bad_triangles.hpp) has no angle and is left out. `is_flat`: every
+/// hinge has the rest angle 0, whatever the rest shape.
 std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins, bool is_flat = false);
 
 /// Angle constraints on the hinges. `softness(hinge)` gives the values of ElementList::softness.

@@ -21,9 +21,9 @@ struct Directors {
 
   int count() const { return static_cast<int>(vertices.size()); }
 
-  /// The inertia of a director, as a share of the mass of a vertex. Real cloth has next to none. A director of
-  /// an edge of length h then has the moment of inertia `mass_share` m h², which changes the frequency of a
-  /// wave of length L by about (h / L)²; a lighter director converges more slowly in projections.
+  /// The inertia of a director, as a share of the mass of a vertex. Real cloth has next to none. A director
+  /// of an edge of length h then has the moment of inertia `mass_share` m h², which changes the frequency of
+  /// a wave of length L by about (h / L)²; a lighter director converges more slowly in projections.
   static constexpr double mass_share = 0.1;
 };
 

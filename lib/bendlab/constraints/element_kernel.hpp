@@ -115,8 +115,8 @@ struct WholeCorners {
   }
 };
 
-// The corners of a pack of constraints if places are split, relative to the base of the first corner. The last
-// corners are directors, which are relative to nothing.
+// The corners of a pack of constraints if places are split, relative to the base of the first corner. The
+// last corners are directors, which are relative to nothing.
 template <class Real, std::size_t N, std::size_t directors>
 struct SplitCorners {
   const Places<Real>& places;

@@ -16,9 +16,9 @@ namespace bendlab {
 template <std::size_t N>
 struct VertexSum {
   static constexpr std::string_view name = N == 4 ? "quadratic" : "laplacian";
-  /// N = 4: p0, p1 of the shared edge, then the vertices opposite it. N = 13: the ring, then the vertex. If the
-  /// ring has fewer than 12 vertices, the list starts with copies of the vertex, whose K_i are 0. Kernels write
-  /// corners in this order, so the last copy decides.
+  /// N = 4: p0, p1 of the shared edge, then the vertices opposite it. N = 13: the ring, then the vertex. If
+  /// the ring has fewer than 12 vertices, the list starts with copies of the vertex, whose K_i are 0. Kernels
+  /// write corners in this order, so the last copy decides.
   static constexpr std::size_t arity = N;
   /// K_0 … K_N-1, |Kx| of the rest shape in m, a length of the rest shape in m.
   static constexpr std::size_t rest_values = N + 2;
@@ -37,8 +37,8 @@ struct VertexSum {
   };
   static constexpr std::array<std::string_view, 2> law_names = {"norm", "energy"};
 
-  /// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions. C = |Kx| has no second
-  /// derivative at 0, that is in flat parts of a sheet.
+  /// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions. C = |Kx| has no
+  /// second derivative at 0, that is in flat parts of a sheet.
   static constexpr std::size_t components = 3;
   static bool is_sum_of_squares(const std::array<double, N + 2>& rest, Law law) {
     return law == Law::norm && rest[N] <= 1e-9 * rest[N + 1];
