@@ -7,7 +7,8 @@ set(headers ${CMAKE_INSTALL_INCLUDEDIR}/bendlab)
 # Without those that depend on the compiler's flags, which are ours: the packs and what is made of them.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/lib/bendlab DESTINATION ${headers} FILES_MATCHING PATTERN "*.hpp"
   PATTERN "pack.hpp" EXCLUDE PATTERN "pack_math.hpp" EXCLUDE PATTERN "pack_turn.hpp" EXCLUDE
-  PATTERN "element_kernel.hpp" EXCLUDE PATTERN "strain_terms.hpp" EXCLUDE PATTERN "models" EXCLUDE PATTERN "methods" EXCLUDE)
+  PATTERN "element_kernel.hpp" EXCLUDE
+  PATTERN "strain_terms.hpp" EXCLUDE PATTERN "models" EXCLUDE PATTERN "methods" EXCLUDE)
 foreach(room config scene measures run campaign terminal)
   install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/${room} DESTINATION ${headers}/experiments
     FILES_MATCHING PATTERN "*.hpp")

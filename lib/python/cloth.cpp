@@ -204,7 +204,8 @@ py::dict PythonCloth::energies() {
   py::dict by_kind;
   by_kind["kinetic"] = motion_of(scene.input.mass, positions, cloth_.velocities()).kinetic_energy;
   by_kind["weight"] = potential_energy(scene, positions) - elastic_energy(scene.input, positions);
-  for (const EnergyPart& part : energy_parts(scene.input, positions)) by_kind[py::str(part.name)] = part.energy;
+  for (const EnergyPart& part : energy_parts(scene.input, positions))
+    by_kind[py::str(part.name)] = part.energy;
   return by_kind;
 }
 
@@ -214,7 +215,9 @@ py::dict PythonCloth::forces() {
   py::dict by_kind;
   for (const EnergyPart& part : energy_parts(cloth_.scene().input, positions)) {
     py::array_t<double> rows({positions.rows(), positions.cols()});
-    std::copy_n(part.forces.data(), part.forces.size(), rows.mutable_data());
+    Positions forces = part.forces;
+    for (const int v : arrays_->pinned) forces.row(v).setZero();
+    std::copy_n(forces.data(), forces.size(), rows.mutable_data());
     by_kind[py::str(part.name)] = std::move(rows);
   }
   return by_kind;

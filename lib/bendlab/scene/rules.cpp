@@ -243,7 +243,8 @@ void settle(Scene& scene) {
                                                                      : Rows::parallel;
   Material& material = scene.material;
   const bool is_shell = material.youngs_modulus.has_value();
-  if (!material.strain.form) material.strain.form = is_shell ? StrainForm::stvk : StrainForm::angle;
+  if (!material.strain.form && scene.solver.method.kind().membrane == Membrane::triangles)
+    material.strain.form = is_shell ? StrainForm::stvk : StrainForm::angle;
   if (is_shell && material.thickness) {
     const double e = *material.youngs_modulus, h = *material.thickness, nu = material.poisson_ratio;
     material.strain.membrane_stiffness = e * h;
