@@ -87,7 +87,8 @@ TEST_CASE("the energy of a sheet that is bent a little converges to that of the 
       const auto error = [&](const TriangleMesh& mesh) {
         const RestMesh rest(mesh);
         Positions bent = rest.positions();
-        for (auto p : bent.rowwise()) p(2) = 0.5 * (kxx * p(0) * p(0) + kyy * p(1) * p(1)) + kxy * p(0) * p(1);
+        for (auto p : bent.rowwise())
+          p(2) = 0.5 * (kxx * p(0) * p(0) + kyy * p(1) * p(1)) + kxy * p(0) * p(1);
         const double smooth = 0.5 * ((1 - nu) * squares + nu * trace * trace);
         return 1 - test::energy(built(model, rest, nu), bent) / smooth;
       };

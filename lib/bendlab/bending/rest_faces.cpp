@@ -65,7 +65,9 @@ std::vector<RestFace> rest_faces(const RestMesh& rest, const Pins& pins) {
       face.beyond[i] = all[other].vertices[j];
       face.side[i] = is_held[other] != 0 ? EdgeSide::clamped : EdgeSide::inside;
       face.height_beyond[i] = all[other].height[j];
-      const auto start = [&](const RestFace& of, std::size_t corner) { return of.vertices[(corner + 1) % 3]; };
+      const auto start = [&](const RestFace& of, std::size_t corner) {
+        return of.vertices[(corner + 1) % 3];
+      };
       const bool same_direction = start(face, i) == start(all[other], j);
       face.turns[i] = s == 1 && !same_direction ? -1 : 1;
     }
@@ -89,8 +91,7 @@ std::array<double, 6> upper_factor(const RestFace& face, const std::array<double
     for (std::size_t j = 0; j < 3; ++j) {
       const double cosine = face.inwards[i].dot(face.inwards[j]);
       energy(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          face.area * curvature[i] * curvature[j] *
-          ((1 - poisson_ratio) * cosine * cosine + poisson_ratio);
+          face.area * curvature[i] * curvature[j] * ((1 - poisson_ratio) * cosine * cosine + poisson_ratio);
     }
   const Eigen::Matrix3d u = energy.llt().matrixU();
   return {u(0, 0), u(0, 1), u(0, 2), u(1, 1), u(1, 2), u(2, 2)};
@@ -116,7 +117,8 @@ ElementList<FoldBend> fold_constraints(const BendingInput& input, FoldBend::Law 
     const std::array<int, 6> corner = {face.beyond[0],   face.beyond[1],   face.beyond[2],
                                        face.vertices[0], face.vertices[1], face.vertices[2]};
     if (!input.is_flat)
-      std::ranges::copy(FoldBend::turns(corners(input.rest.positions(), corner), rest, law), rest.begin() + 3);
+      std::ranges::copy(FoldBend::turns(corners(input.rest.positions(), corner), rest, law),
+                        rest.begin() + 3);
     list.vertices.push_back(corner);
     list.rest.push_back(rest);
     list.softness.push_back(1);

@@ -110,7 +110,8 @@ ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, Batch
   for (std::size_t i = 0; i < Kind::arity; ++i)
     batch.corner[i] = corner_offsets(list.vertices, order, static_cast<int>(i), vertex_count);
   for (std::size_t i = 0; i < Kind::rest_values; ++i)
-    batch.rest[i] = lane_values<Real>(order, padding_of<Real, Kind>(), [&](std::size_t c) { return list.rest[c][i]; });
+    batch.rest[i] =
+        lane_values<Real>(order, padding_of<Real, Kind>(), [&](std::size_t c) { return list.rest[c][i]; });
   batch.softness = lane_values<Real>(order, Real(1),
                                      [&](std::size_t c) { return nearest_number<Real>(list.softness[c]); });
   batch.order = std::move(order);

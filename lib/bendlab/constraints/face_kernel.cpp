@@ -35,7 +35,7 @@ BENDLAB_INLINE PackEdgeTurn<Real> edge_turn(const std::array<PackPoints<Real>, K
   const PackMask<Real> has_neighbour = share > zero;
   const P square_beyond = dot(beyond, beyond);
   const PackMask<Real> large = (square_beyond > least_area * least_area) &
-                              (dot(offset, offset) < overgrown_square<Real> * rest[12] * rest[12]);
+                               (dot(offset, offset) < overgrown_square<Real> * rest[12] * rest[12]);
   turn.defined = turn.defined & (large | ~has_neighbour);
   const PackMask<Real> folds = has_neighbour & large;
   const P per_area = inverse_square_root(folds ? square_beyond : one);
@@ -77,8 +77,7 @@ struct FaceKernel : ElasticKernel<Scalar, Kind> {
   BENDLAB_INLINE static P rest_size_squared(const Rest& rest) { return rest[12] * rest[12]; }
 
   BENDLAB_INLINE static PackConstraint<Real, Kind::arity> evaluate(const Corners& p, const Rest& rest) {
-    const P zero{}, one = broadcast<Real>(1),
-                    least_area = collapsed_ratio<Real> * rest[12] * rest[12],
+    const P zero{}, one = broadcast<Real>(1), least_area = collapsed_ratio<Real> * rest[12] * rest[12],
                     most = overgrown_square<Real> * rest[12] * rest[12];
     const PackVector<Real> e1 = p[4].position - p[3].position, e2 = p[5].position - p[3].position,
                            n = cross(e1, e2);
@@ -117,7 +116,8 @@ struct FaceKernel : ElasticKernel<Scalar, Kind> {
       result.gradient[3 + i] = result.gradient[3 + i] + tilt;
       start = start - scaled<Real>(one - foot, tilt) - scaled<Real>(one - foot_beyond, lift);
       end = end - scaled<Real>(foot, tilt) - scaled<Real>(foot_beyond, lift);
-      if constexpr (Kind::directors > 0) result.gradient[6 + i].x = bends ? by_turn[i] * edge[i].by_director : zero;
+      if constexpr (Kind::directors > 0)
+        result.gradient[6 + i].x = bends ? by_turn[i] * edge[i].by_director : zero;
     }
     return result;
   }

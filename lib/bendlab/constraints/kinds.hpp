@@ -11,7 +11,8 @@
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/quadratic_bend.hpp"
 
-#define BENDLAB_FOR_ELEMENT_KINDS(X) X(HingeAngle) X(QuadraticBend) X(ArcSpring) X(FoldBend) X(MidEdgeBend) X(LaplacianBend)
+#define BENDLAB_FOR_ELEMENT_KINDS(X) \
+  X(HingeAngle) X(QuadraticBend) X(ArcSpring) X(FoldBend) X(MidEdgeBend) X(LaplacianBend)
 
 namespace bendlab {
 

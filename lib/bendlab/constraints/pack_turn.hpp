@@ -19,7 +19,8 @@ BENDLAB_INLINE PackTurn<Real> pack_turn(const Pack<Real>& angle) {
     return {angle, one};
   } else {
     constexpr Real most = measure == Turn::sine ? std::numbers::pi_v<Real> / 2 : steepest_turn<Real>;
-    const P low = angle < -most ? broadcast<Real>(-most) : angle, within = low > most ? broadcast<Real>(most) : low;
+    const P low = angle < -most ? broadcast<Real>(-most) : angle,
+            within = low > most ? broadcast<Real>(most) : low;
     const P s = sine<Real>(within), left = one - s * s;
     const P cosine = square_root(left > P{} ? left : P{});
     if constexpr (measure == Turn::sine) {

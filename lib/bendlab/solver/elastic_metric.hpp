@@ -24,7 +24,7 @@ class ElasticMetric {
   /// Throws std::invalid_argument for elements whose force jumps: no constant matrix approximates jumps.
   explicit ElasticMetric(const SimulationInput& input);
 
-  const std::vector<int>& vertices() const { return vertices_; }           ///< the n free points and directors
+  const std::vector<int>& vertices() const { return vertices_; }  ///< the n free points and directors
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
   /// Membrane and springs: n by n, lower half, N/m. Triangle t is softness[t] times as soft as stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;

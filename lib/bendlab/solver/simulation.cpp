@@ -18,7 +18,8 @@ Positions SimulationInput::rest_points() const {
 double SimulationInput::mass_of(std::size_t point) const {
   if (point < mass.size()) return mass[point];
   const auto [a, b] = directors.vertices[point - mass.size()];
-  return Directors::mass_share * 0.5 * (mass[static_cast<std::size_t>(a)] + mass[static_cast<std::size_t>(b)]);
+  return Directors::mass_share * 0.5 *
+         (mass[static_cast<std::size_t>(a)] + mass[static_cast<std::size_t>(b)]);
 }
 
 bool SimulationInput::is_free(std::size_t point) const {
