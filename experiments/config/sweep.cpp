@@ -40,12 +40,19 @@ Json normalised(const Json& settings, const std::string& pointer, const Json& va
   return read ? json_of(*read) : value;
 }
 
-// The swept values: the list as written, or for "all" every choice of the setting.
+// The swept values: the list as written, or for "all" every choice of the setting that the config allows. For
+// example, a method does not allow every model.
 Json listed(const Json& settings, const std::string& pointer, const Json& values) {
   const Field* row = values == "all" ? find_setting(settings, pointer) : nullptr;
   if (row == nullptr || row->choices.empty()) return values;
   Json all = Json::array();
-  for (const std::string_view choice : row->choices) all.push_back(choice);
+  for (const std::string_view choice : row->choices) {
+    Json with_choice = settings;
+    ConfigProblems problems;
+    if (set_at(with_choice, pointer, choice)) read_run(with_choice, problems);
+    if (std::ranges::find(problems, pointer, &ConfigProblem::pointer) == problems.end())
+      all.push_back(choice);
+  }
   return all;
 }
 

@@ -187,7 +187,8 @@ TEST_CASE("a curved rest shape stays still", "[bending]") {
     const RestMesh rest(mesh);
     for (const BendingKind* model : bending_models())
       for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
-        if (model->prestressed) continue;  // its springs stretch the sheet
+        if (model->prestressed) continue;   // its springs stretch the sheet
+        if (model->needs_energy) continue;  // not for pbd
         INFO(model->name << ", " << shape);
         SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), model->name);
         input.bending_stiffness = {.kind = kind, .k = 0.5, .compliance = 1e-4};

@@ -81,6 +81,7 @@ TEST_CASE("with every model, steps of the smallest meshes give finite positions"
     for (int cells = 1; cells <= 6; ++cells)
       for (const BendingKind* model : bending_models()) {
         const std::string_view name = generator;
+        if (model->needs_energy) continue;                                           // k has no energy
         if (cells < (name == "tube" ? 3 : name == "equilateral" ? 2 : 1)) continue;  // refused as too small
         CAPTURE(generator, cells, model->name);
         const std::string text = fmt::format(

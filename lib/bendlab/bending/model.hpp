@@ -64,6 +64,7 @@ struct BendingKind {
   bool springs_only = false;  ///< build() makes no elements, whatever the settings
   bool one_sided = false;     ///< its elements only push, so their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
+  bool needs_energy = false;  ///< its elements have an energy, but no constraint that could be projected
   /// Whether the model may be used with k although k ignores softness (k corrects every constraint by the
   /// same share). If false, the model cannot be used with k if any softness differs from 1.
   bool softness_needs_compliance = false;

@@ -156,6 +156,12 @@ class MethodRules {
              fmt::format("the force of {} jumps where the cloth is straight, so that no constant matrix can "
                          "approximate the force: choose the method newton, or another model",
                          model_.name));
+    else if (why.empty() && model_.needs_energy)
+      report(
+          "/bending/model",
+          fmt::format("the elements of {} have an energy, but no constraint that could be projected: choose "
+                      "the method quasi_newton, newton or equilibrium, or another model",
+                      model_.name));
     else if (!why.empty() && model_.bends)
       check_compliance("/bending", scene_.bending.stiffness, scene_.bending.compliance, why);
     if (!method_.projects) check_projection_effects();

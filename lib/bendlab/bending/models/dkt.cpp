@@ -198,10 +198,12 @@ constinit const BendingKind Dkt::kind{
         "the middles of edges follow from cubic edges",
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
     .limits =
-        "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness; with "
-        "pbd, a stiff sheet may gain energy, so use newton, quasi_newton or equilibrium",
+        "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness; needs "
+        "the "
+        "method newton, quasi_newton or equilibrium",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
+    .needs_energy = true,
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
