@@ -12,7 +12,8 @@ from bendlab.settings import Settings  # noqa: E402
 
 # Types of members that have settings of their own.
 PARTS = {"mesh": "Mesh", "pins": "Pins | Sequence[str | int]", "material": "Material", "strain": "Strain",
-         "bending": "Model", "solver": "Method", "effects": "Sequence[Effect] | None", "initial": "Initial"}
+         "bending": "Model", "solver": "Method", "effects": "Sequence[Effect] | None", "initial": "Initial",
+         "surface": "Surface"}
 
 
 def documentation(text, indent):

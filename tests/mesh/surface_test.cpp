@@ -6,6 +6,7 @@
 
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/pins.hpp"
+#include "bendlab/mesh/refined.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "tests/catch.hpp"
 
@@ -53,6 +54,14 @@ TEST_CASE("a sheet rolled up, folded, or developed from a helix keeps its length
   CHECK(on(flat).col(2).isZero(0));
 }
 
+TEST_CASE("a tube that was refined becomes round", "[mesh]") {
+  const TriangleMesh coarse = refined(tube(2, 2, 3, 6), 2);
+  const Positions round = on_surface({.shape = SurfaceShape::cylinder, .radius = 5}, coarse.positions);
+  CHECK((round.leftCols(2).rowwise().norm().array() - 5).abs().maxCoeff() < 1e-12);
+  CHECK(round.col(2).isApprox(coarse.positions.col(2), 1e-12));
+  CHECK(round.row(0).isApprox(Eigen::RowVector3d(5, 0, -1.5), 1e-12));
+}
+
 TEST_CASE("surfaces have the areas of their formulas", "[mesh]") {
   const TriangleMesh sheet = grid(1, 1, 128, 64);
   const auto area = [&](const NamedSurface& surface) {
@@ -60,20 +69,20 @@ TEST_CASE("surfaces have the areas of their formulas", "[mesh]") {
   };
   // Facets of an angle δ lose about δ² / 6 of the area: 4e-4 for 2π / 128.
   CHECK_THAT(area({.shape = SurfaceShape::annulus, .radius = 2, .inner_radius = 1}), WithinRel(3 * pi, 1e-3));
-  CHECK_THAT(area({.shape = SurfaceShape::sphere, .radius = 0.5, .from = 18, .to = 90}),
+  CHECK_THAT(area({.shape = SurfaceShape::sphere, .radius = 0.5, .polar_from = 18, .polar_to = 90}),
              WithinRel(2 * pi * 0.25 * std::cos(pi / 10), 1e-3));
   CHECK_THAT(area({.shape = SurfaceShape::torus, .radius = 1, .inner_radius = 0.3}),
              WithinRel(2 * pi * 0.3 * pi, 1e-3));
   const TriangleMesh round = disc(0.5, 32);
-  CHECK_THAT(area_of(on_surface({.shape = SurfaceShape::dome, .radius = 2, .to = 90}, round.positions),
+  CHECK_THAT(area_of(on_surface({.shape = SurfaceShape::dome, .radius = 2, .polar_to = 90}, round.positions),
                      round.triangles),
              WithinRel(2 * pi * 4, 3e-3));
 }
 
 TEST_CASE("a tube becomes a closed surface without a seam", "[mesh]") {
   const TriangleMesh side = tube(1, 1, 1, 48);
-  const Positions points =
-      on_surface({.shape = SurfaceShape::sphere, .radius = 3, .from = 60, .to = 90}, side.positions);
+  const Positions points = on_surface(
+      {.shape = SurfaceShape::sphere, .radius = 3, .polar_from = 60, .polar_to = 90}, side.positions);
   CHECK_THAT(area_of(points, side.triangles), WithinRel(2 * pi * 9 * 0.5, 1e-2));
   for (const auto p : points.rowwise()) CHECK_THAT(p.norm(), WithinAbs(3, 1e-12));
 }

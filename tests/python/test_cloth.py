@@ -31,6 +31,23 @@ def square():
     return np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]), np.array([[0, 1, 3], [0, 3, 2]])
 
 
+class Surfaces(unittest.TestCase):
+    def test_a_sheet_starts_and_rests_on_a_cylinder(self):
+        cylinder, radius = bl.Surface(shape="cylinder", radius=0.25), 0.25
+        for scene in (bl.Scene(mesh=bl.Mesh(cells=16, surface=cylinder)),
+                      bl.Scene(mesh=bl.grid(1, 1, 16), initial=bl.Initial(surface=cylinder))):
+            x = scene.simulate().positions
+            middle = np.array([[p[0], p[2]] for p in x])
+            # Circle through all points (x, z): 2 a x + 2 b z + c = x² + z².
+            a, b, c = np.linalg.lstsq(np.c_[2 * middle, np.ones(len(x))], (middle ** 2).sum(1), rcond=None)[0]
+            np.testing.assert_allclose(np.hypot(*(middle - [a, b]).T), radius, rtol=1e-6)  # stored as float
+            self.assertEqual(scene, eval(repr(scene), {**vars(bl)}))
+        flat = bl.Scene(mesh=bl.grid(1, 1, 16))
+        self.assertNotEqual(scene, flat)
+        with self.assertRaisesRegex(TypeError, "Surface"):
+            bl.Mesh(surface="cylinder")
+
+
 class Steps(unittest.TestCase):
     def test_a_run_has_the_same_bits_as_from_the_program(self):
         with tempfile.TemporaryDirectory() as place:

@@ -65,11 +65,11 @@ class TheProgramsTables(unittest.TestCase):
 
     def test_parts(self):
         classes = {"mesh": bl.Mesh, "pins": bl.Pins, "material": bl.Material, "initial": bl.Initial}
-        self.assertEqual(set(PARTS), {*classes, "strain"})
+        self.assertEqual(set(PARTS), {*classes, "strain", "surface"})
         for name, cls in classes.items():
             rows = of_schema(f"/{name}")
             own = {field["name"] for field in cls._tables[0].fields}
-            self.assertEqual(own, set(rows) - {"strain"})
+            self.assertEqual(own, set(rows) - {"strain", "surface"})
             self.check(cls, rows, own)
         rows = of_schema("/material/strain")
         self.assertEqual({field["name"] for field in bl.Strain._tables[0].fields}, set(rows))

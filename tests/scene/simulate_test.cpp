@@ -3,6 +3,7 @@
 #include <random>
 
 #include "bendlab/bendlab.hpp"
+#include "bendlab/mesh/files.hpp"
 #include "bendlab/scene/initial_pose.hpp"
 #include "bendlab/settings/random_numbers.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -106,7 +107,28 @@ TEST_CASE("a disturbed pose is the same on every compiler and processor", "[scen
       const double random = 2 * uniform(numbers) - 1;
       if (!built.pins.pinned(v)) expected(v, axis) = std::fma(1e-4 * rest.size(), random, expected(v, axis));
     }
-  CHECK(initial_positions(scene.initial, rest, built.pins) == expected);
+  CHECK(initial_positions(scene.initial, rest, built.pins, scene.folder) == expected);
+}
+
+TEST_CASE("a cloth starts with the points of a mesh file", "[scene]") {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / "bendlab_start_pose.obj";
+  Scene scene;
+  scene.mesh.cells = 5;
+  scene.initial.surface = {.shape = SurfaceShape::cylinder, .radius = 0.3};
+  const BuiltScene rolled = build_scene(scene);
+  TriangleMesh pose = rolled.rest.mesh();
+  pose.positions = rolled.input.positions;
+  write_mesh(file, pose);
+  scene.initial = {.file = file.string()};
+  const BuiltScene from_file = build_scene(scene);
+  CHECK(from_file.input.positions == rolled.input.positions);
+  CHECK(from_file.input.rest == rolled.input.rest);
+
+  // Another order of the triangles is another numbering.
+  pose.triangles.row(0).swap(pose.triangles.row(1));
+  write_mesh(file, pose);
+  CHECK_THROWS_WITH(build_scene(scene), ContainsSubstring("joins other vertices by triangle 0"));
+  std::filesystem::remove(file);
 }
 
 TEST_CASE("simulate: a default scene and a default config give the same bits", "[scene]") {

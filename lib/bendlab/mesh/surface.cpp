@@ -14,16 +14,18 @@ double radians(double degrees) {
   return degrees * pi / 180;
 }
 
-// The coordinates of a mesh along its width and its height, from 0 to 1.
+// The coordinates of a mesh along its width (around a tube) and its height, from 0 to 1.
 struct Parameters {
   std::function<Vector2(const Vector3&)> of;
   Vector3 centre, extent;
+  bool is_tube = false;
 
   explicit Parameters(const Positions& flat) {
     const Vector3 low = flat.colwise().minCoeff(), high = flat.colwise().maxCoeff();
     centre = 0.5 * (low + high), extent = high - low;
     constexpr double thin = 1e-6;
-    if (extent.z() <= thin * extent.norm()) {
+    is_tube = extent.z() > thin * extent.norm();
+    if (!is_tube) {
       if (!(extent.x() > 0 && extent.y() > 0))
         throw std::invalid_argument("a surface needs a mesh that has an extent along x and along y");
       of = [low, size = extent](const Vector3& p) {
@@ -43,14 +45,18 @@ Vector3 turned_about_x(const Vector3& p, double angle) {
           std::sin(angle) * p.y() + std::cos(angle) * p.z()};
 }
 
-// A point of the surface. `p` is relative to the centre of the flat mesh, and `uv` its coordinates from 0 to
-// 1.
-Vector3 point_of(const NamedSurface& s, const Vector3& p, const Vector2& uv, const Vector3& extent) {
+// A point of the surface. `p` is relative to the centre of the mesh, and `uv` its coordinates from 0 to 1.
+Vector3 point_of(const NamedSurface& s, const Vector3& p, const Vector2& uv, const Vector3& extent,
+                 bool is_tube) {
   const double sweep = radians(s.sweep);
   switch (s.shape) {
     case SurfaceShape::none:
       break;
     case SurfaceShape::cylinder: {
+      if (is_tube) {
+        const double around = 2 * pi * uv.x();
+        return {s.radius * std::cos(around), s.radius * std::sin(around), p.z()};
+      }
       const double c = std::cos(radians(s.direction)), sine = std::sin(radians(s.direction));
       const double along = c * p.x() + sine * p.y(), across = -sine * p.x() + c * p.y(),
                    turn = along / s.radius;
@@ -82,12 +88,14 @@ Vector3 point_of(const NamedSurface& s, const Vector3& p, const Vector2& uv, con
       return {r * std::cos(around), r * std::sin(around), s.inner_radius * std::sin(tube)};
     }
     case SurfaceShape::sphere: {
-      const double off = radians(s.from + uv.y() * (s.to - s.from)), around = uv.x() * sweep;
+      const double off = radians(s.polar_from + uv.y() * (s.polar_to - s.polar_from)),
+                   around = uv.x() * sweep;
       return {s.radius * std::sin(off) * std::cos(around), s.radius * std::sin(off) * std::sin(around),
               s.radius * std::cos(off)};
     }
     case SurfaceShape::dome: {
-      const double distance = std::hypot(p.x(), p.y()), off = radians(s.to) * distance / (0.5 * extent.x());
+      const double distance = std::hypot(p.x(), p.y()),
+                   off = radians(s.polar_to) * distance / (0.5 * extent.x());
       if (distance == 0) return {0, 0, s.radius};
       const double r = s.radius * std::sin(off) / distance;
       return {r * p.x(), r * p.y(), s.radius * std::cos(off)};
@@ -109,7 +117,9 @@ Positions on_surface(const NamedSurface& surface, const Positions& flat) {
   Positions points(flat.rows(), 3);
   for (Eigen::Index v = 0; v < flat.rows(); ++v) {
     const Vector3 p = flat.row(v).transpose();
-    points.row(v) = point_of(surface, p - parameters.centre, parameters.of(p), parameters.extent).transpose();
+    points.row(v) =
+        point_of(surface, p - parameters.centre, parameters.of(p), parameters.extent, parameters.is_tube)
+            .transpose();
   }
   return points;
 }

@@ -27,8 +27,8 @@ inline constexpr std::array<std::string_view, 10> surface_shape_names = {
 /// scene_tables.cpp says what the numbers mean for each shape.
 struct NamedSurface {
   SurfaceShape shape = SurfaceShape::none;
-  double radius = 1, inner_radius = 0.5, pitch = 1, ruling = 1;  ///< m
-  double direction = 0, sweep = 360, from = 0, to = 180;         ///< degrees
+  double radius = 1, inner_radius = 0.5, pitch = 1, ruling = 1;       ///< m
+  double direction = 0, sweep = 360, polar_from = 0, polar_to = 180;  ///< degrees
 
   bool is_given() const { return shape != SurfaceShape::none; }
 };

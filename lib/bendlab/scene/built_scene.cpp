@@ -413,7 +413,7 @@ BuiltScene build_scene(const Scene& stated) {
 
   SimulationInput& input = scene.input;
   const MethodKind& method = input.method.kind();
-  input.positions = initial_positions(stated.initial, rest, scene.pins);
+  input.positions = initial_positions(stated.initial, rest, scene.pins, stated.folder);
   input.velocities = initial_velocities(stated.initial, input.positions, rest.centre());
   input.rest = rest.positions();
   input.origin = rest.centre();

@@ -4,10 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
+#include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/surface.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/strict_json.hpp"
@@ -51,25 +54,55 @@ Positions creased(const RestMesh& rest, int creases) {
   return positions;
 }
 
-Positions folded_rest_shape(const Initial& initial, const RestMesh& rest) {
-  if (initial.surface.is_given()) {
-    if (initial.folds > 0 || initial.creases > 0)
-      throw ConfigError("initial pose",
-                        {{"/initial/surface/shape",
-                          "cannot be combined with /initial/folds or /initial/creases: set these "
-                          "to 0"}});
-    try {
-      return on_surface(initial.surface, rest.named_positions());
-    } catch (const std::invalid_argument& error) {
-      throw ConfigError("initial pose", {{"/initial/surface/shape", error.what()}});
-    }
-  }
-  if (initial.folds > 0 && initial.creases > 0)
-    throw ConfigError("initial pose", {{"/initial/creases",
-                                        "cannot be combined with /initial/folds: set one of these "
-                                        "settings to 0"}});
+[[noreturn]] void refuse(const char* pointer, const std::string& message) {
+  throw ConfigError("initial pose", {{pointer, message}});
+}
+
+// The points of a mesh file, which has to have the rest mesh's triangles.
+Positions positions_of_file(const std::filesystem::path& path, const RestMesh& rest) {
+  const auto refuse_file = [&](const std::string& what) {
+    refuse("/initial/file",
+           fmt::format("'{}' {}; remove the setting, or write the pose with the numbering of "
+                       "the rest mesh",
+                       path.string(), what));
+  };
+  const PolygonSoup soup = read_polygon_soup(path);
+  const auto is_vertex = [&](std::int64_t v) { return v >= 0 && std::cmp_less(v, soup.points.size()); };
+  for (const auto& triangle : soup.triangles)
+    if (!std::ranges::all_of(triangle, is_vertex)) refuse_file("has a triangle with a vertex that it lacks");
+  if (!std::ranges::all_of(soup.points, is_finite<std::array<double, 3>>))
+    refuse_file("has a coordinate that is not finite");
+  const TriangleMesh pose = to_mesh(soup);
+  if (pose.positions.rows() != rest.vertex_count() || pose.triangles.rows() != rest.triangle_count())
+    refuse_file(fmt::format("has {} points and {} triangles, but the rest mesh has {} and {}",
+                            pose.positions.rows(), pose.triangles.rows(), rest.vertex_count(),
+                            rest.triangle_count()));
+  for (Eigen::Index t = 0; t < pose.triangles.rows(); ++t)
+    if (pose.triangles.row(t) != rest.triangles().row(t))
+      refuse_file(fmt::format("joins other vertices by triangle {} than the rest mesh does", t));
+  return pose.positions;
+}
+
+// The pose before it is turned and stretched.
+Positions stated_pose(const Initial& initial, const RestMesh& rest, const std::filesystem::path& folder) {
+  const std::array<std::pair<const char*, bool>, 4> stated{{{"/initial/file", initial.file.has_value()},
+                                                            {"/initial/surface", initial.surface.is_given()},
+                                                            {"/initial/folds", initial.folds > 0},
+                                                            {"/initial/creases", initial.creases > 0}}};
+  const auto is_stated = [](const auto& pose) { return pose.second; };
+  const auto first = std::ranges::find_if(stated, is_stated);
+  if (first == stated.end()) return rest.positions();
+  if (const auto second = std::find_if(first + 1, stated.end(), is_stated); second != stated.end())
+    refuse(second->first,
+           fmt::format("cannot be combined with {}: remove one of these settings", first->first));
+  if (initial.file) return positions_of_file(folder / *initial.file, rest);
   if (initial.folds > 0) return folded(rest, initial.folds, initial.fold_gap);
-  return initial.creases > 0 ? creased(rest, initial.creases) : rest.positions();
+  if (initial.creases > 0) return creased(rest, initial.creases);
+  try {
+    return on_surface(initial.surface, rest.named_positions());
+  } catch (const std::invalid_argument& error) {
+    refuse("/initial/surface/shape", error.what());
+  }
 }
 
 Positions tilted(const Positions& positions, const Vector3& centre, double degrees) {
@@ -97,8 +130,9 @@ Vector3 uniform_vector(std::mt19937_64& generator) {
 
 }  // namespace
 
-Positions initial_positions(const Initial& initial, const RestMesh& rest, const Pins& pins) {
-  Positions positions = tilted(folded_rest_shape(initial, rest), rest.centre(), initial.tilt);
+Positions initial_positions(const Initial& initial, const RestMesh& rest, const Pins& pins,
+                            const std::filesystem::path& folder) {
+  Positions positions = tilted(stated_pose(initial, rest, folder), rest.centre(), initial.tilt);
   scale(positions, initial.scale, rest, pins);
   const double box = initial.random * rest.size(), amplitude = initial.perturbation * rest.size();
   if (box == 0 && amplitude == 0) return positions;

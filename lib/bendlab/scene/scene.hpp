@@ -120,6 +120,7 @@ struct Initial {
   Vector3 scale{1, 1, 1};
   double tilt = 0;                      ///< degrees
   NamedSurface surface;                 ///< the pose, instead of the rest shape
+  std::optional<std::string> file;      ///< a mesh whose points are the pose, relative to Scene::folder
   double perturbation = 0, random = 0;  ///< relative to the mesh's size
   Vector3 velocity{0, 0, 0};            ///< m/s
   Vector3 spin{0, 0, 0};                ///< rad/s

@@ -202,17 +202,17 @@ constexpr std::array pins = {
               .meaning = "Vertices, by the names of `vertices`, that keep their coordinate x, and are free "
                          "along y and z: a plane of symmetry, a diaphragm or a roller",
               .choices = place_names}),
-    field<&Pinning::hold_y>({.name = "hold_y",
+      field<&Pinning::hold_y>({.name = "hold_y",
               .meaning = "Vertices that keep their coordinate y", .choices = place_names}),
-    field<&Pinning::hold_z>({.name = "hold_z",
+      field<&Pinning::hold_z>({.name = "hold_z",
               .meaning = "Vertices that keep their coordinate z", .choices = place_names}),
-    field<&Pinning::hold_x_indices>({.name = "hold_x_indices", .unit = "1",
+      field<&Pinning::hold_x_indices>({.name = "hold_x_indices", .unit = "1",
               .meaning = "Vertices that keep their coordinate x, by index", .minimum = 0}),
-    field<&Pinning::hold_y_indices>({.name = "hold_y_indices", .unit = "1",
+      field<&Pinning::hold_y_indices>({.name = "hold_y_indices", .unit = "1",
               .meaning = "Vertices that keep their coordinate y, by index", .minimum = 0}),
-    field<&Pinning::hold_z_indices>({.name = "hold_z_indices", .unit = "1",
+      field<&Pinning::hold_z_indices>({.name = "hold_z_indices", .unit = "1",
               .meaning = "Vertices that keep their coordinate z, by index", .minimum = 0}),
-    field<&Pinning::ring>({.name = "ring", .unit = "1",
+      field<&Pinning::ring>({.name = "ring", .unit = "1",
                 .meaning = "How many rings of neighbours around each pinned vertex are pinned, too. The "
                            "paper pins one ring; such a clamp becomes smaller if the mesh is refined",
                 .minimum = 0, .maximum = 64}),
@@ -362,6 +362,11 @@ constexpr std::array solver = {
 };
 
 constexpr std::array initial = {
+    field<&Initial::file>({.name = "file",
+              .meaning = "Mesh file (.obj, .ply, .off) whose points are the positions of all vertices at the "
+                         "start, also of pinned vertices. The file has the triangles of the rest mesh in the "
+                         "same order. The path is relative to the config's folder",
+              .names_file = true}),
     field<&Initial::folds>({.name = "folds", .unit = "1",
               .meaning = "How many times the sheet is folded at the start, back and forth along x, into "
                          "layers above each other. The rest shape is not folded",
@@ -407,15 +412,15 @@ constexpr std::array initial = {
 constexpr std::array surface = {
     field<&NamedSurface::shape>({.name = "shape",
               .meaning = "none: the mesh stays as it is. cylinder: rolled up along `direction` to the "
-                         "radius, without strain. annulus: the width becomes the angle `sweep`, the height "
-                         "goes from the inner to the outer radius. helix: a tangent developable of a helix "
-                         "of the radius and pitch. helix_flat: the same surface, flat. torus: of the radius, "
-                         "with the half of a tube of inner_radius. sphere: the width becomes the angle "
-                         "`sweep` about the axis, the height goes from the angle `from` to the angle `to` "
-                         "off the axis. dome: a disc becomes the part of a sphere up to the angle `to` off "
-                         "the axis. twist: the cross-sections turn by `sweep` along the width, and not at "
-                         "its right end. vee: folded at the middle of the width by the angle `sweep`, "
-                         "without strain",
+                         "radius, without strain; a tube becomes round. annulus: the width becomes the angle "
+                         "`sweep`, the height goes from the inner to the outer radius. helix: a tangent "
+                         "developable of a helix of the radius and pitch. helix_flat: the same surface, "
+                         "flat. torus: of the radius, with the half of a tube of inner_radius. sphere: the "
+                         "width becomes the angle `sweep` about the axis, the height goes from the angle "
+                         "polar_from to the angle polar_to off the axis. dome: a disc becomes the part of a "
+                         "sphere up to the angle polar_to off the axis. twist: the cross-sections turn by "
+                         "`sweep` along the width, and not at its right end. vee: folded at the middle of "
+                         "the width by the angle `sweep`, without strain",
               .choices = surface_shape_names}),
     field<&NamedSurface::radius>({.name = "radius", .unit = "m",
               .meaning = "Radius of the cylinder, helix or sphere, outer radius of the annulus, or distance "
@@ -436,9 +441,9 @@ constexpr std::array surface = {
               .minimum = -360, .maximum = 360}),
     field<&NamedSurface::sweep>({.name = "sweep", .unit = "degrees",
               .meaning = "Angle, see shape", .minimum = -720, .maximum = 720}),
-    field<&NamedSurface::from>({.name = "from", .unit = "degrees",
+    field<&NamedSurface::polar_from>({.name = "polar_from", .unit = "degrees",
               .meaning = "Angle off the axis of a sphere, see shape", .minimum = 0, .maximum = 180}),
-    field<&NamedSurface::to>({.name = "to", .unit = "degrees",
+    field<&NamedSurface::polar_to>({.name = "polar_to", .unit = "degrees",
               .meaning = "Angle off the axis of a sphere or dome, see shape", .minimum = 0, .maximum = 180}),
 };
 
@@ -552,9 +557,8 @@ std::span<const Part> scene_parts() {
       Part{"/mesh", "The rest mesh: generated, or read from a file", table_of<Mesh>(mesh),
            [](const Scene& s) -> const void* { return &s.mesh; }},
       Part{"/mesh/surface",
-           "The surface that the generated mesh becomes; the pins and loads keep the names that their "
-           "vertices "
-           "have in the flat mesh",
+           "The surface that the generated mesh becomes. Pins and loads name vertices by their places in "
+           "the flat mesh",
            surface_table(), [](const Scene& s) -> const void* { return &s.mesh.surface; },
            [](const Scene& s) { return !s.mesh.surface.is_given(); }},
       Part{"/pins", "Which vertices are held fixed", table_of<Pinning>(pins),
@@ -570,8 +574,8 @@ std::span<const Part> scene_parts() {
       Part{"/initial", "The pose at time 0", table_of<Initial>(initial),
            [](const Scene& s) -> const void* { return &s.initial; }},
       Part{"/initial/surface",
-           "The surface that the mesh is at time 0, while its rest shape is that of /mesh; pinned vertices "
-           "too",
+           "The surface on which all vertices, also pinned vertices, lie at time 0. The rest shape stays "
+           "that of /mesh",
            surface_table(), [](const Scene& s) -> const void* { return &s.initial.surface; },
            [](const Scene& s) { return !s.initial.surface.is_given(); }},
   };

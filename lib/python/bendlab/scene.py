@@ -10,12 +10,33 @@ from bendlab.settings import EFFECTS, METHODS, MODELS, PARTS, SCENE, Effect, Met
     make_class
 
 
+def _instance(wanted, what):
+    """Returns a converter for values that are assigned to a part. The converter accepts objects of the class
+    `wanted`, and raises TypeError for all other values; `what` says what is expected."""
+    def convert(value):
+        if not isinstance(value, wanted):
+            raise TypeError(f"expected {what}, got {value!r}")
+        return value
+    return convert
+
+
+Surface = make_class("Surface", [PARTS["surface"]])
+
+
+def _given_with(settings, name):
+    """The settings that were given to a part, and those of its part `name` if there are any."""
+    inner = getattr(settings, name)._given
+    return {**settings._given, **({name: inner} if inner else {})}
+
+
 class Mesh(make_class("Mesh", [PARTS["mesh"]])):
     __doc__ = ("The rest mesh: Mesh(vertices, triangles) from arrays, or a generator or a file by "
                "keywords.\n\n" + make_class("Mesh", [PARTS["mesh"]]).__doc__)
+    surface = Part(_instance(Surface, "Surface(…)"), "The surface that the generated mesh becomes")
 
-    def __init__(self, vertices=None, triangles=None, **settings):
+    def __init__(self, vertices=None, triangles=None, *, surface=None, **settings):
         super().__init__(**settings)
+        self.surface = surface or Surface()
         if (vertices is None) != (triangles is None):
             raise TypeError("a mesh from arrays needs both arrays: Mesh(vertices, triangles)")
         self._arrays = () if vertices is None else _checked(vertices, triangles)
@@ -27,7 +48,7 @@ class Mesh(make_class("Mesh", [PARTS["mesh"]])):
 
     def _arguments(self):
         arrays = zip(("vertices", "triangles"), (array.tolist() for array in self._arrays))
-        return {**dict(arrays), **self._given}
+        return {**dict(arrays), **self._given, **({"surface": self.surface} if self.surface._given else {})}
 
 
 def _checked(vertices, triangles):
@@ -62,17 +83,18 @@ def _effects(value):
 
 Pins = make_class("Pins", [PARTS["pins"]])
 Strain = make_class("Strain", [PARTS["strain"]])
-Initial = make_class("Initial", [PARTS["initial"]])
 
 
-def _instance(wanted, what):
-    """Returns a converter for values that are assigned to a part. The converter accepts objects of the class
-    `wanted`, and raises TypeError for all other values; `what` says what is expected."""
-    def convert(value):
-        if not isinstance(value, wanted):
-            raise TypeError(f"expected {what}, got {value!r}")
-        return value
-    return convert
+class Initial(make_class("Initial", [PARTS["initial"]])):
+    __doc__ = make_class("Initial", [PARTS["initial"]]).__doc__
+    surface = Part(_instance(Surface, "Surface(…)"), PARTS["surface"].meaning)
+
+    def __init__(self, surface=None, **settings):
+        super().__init__(**settings)
+        self.surface = surface or Surface()
+
+    def _arguments(self):
+        return {**self._given, **({"surface": self.surface} if self.surface._given else {})}
 
 
 def _pins(value):
@@ -132,10 +154,10 @@ class Scene(make_class("Scene", [SCENE])):
         return self._config()
 
     def _config(self):
-        parts = {"mesh": self.mesh._given, "pins": self.pins._given,
-                 "material": {**self.material._given, "strain": self.material.strain._given},
+        parts = {"mesh": _given_with(self.mesh, "surface"), "pins": self.pins._given,
+                 "material": _given_with(self.material, "strain"),
                  "bending": self.bending._config(), "solver": self.solver._config(),
-                 "initial": self.initial._given}
+                 "initial": _given_with(self.initial, "surface")}
         config = {**self._given, **{name: part for name, part in parts.items() if part}}
         if self.effects != self._classes["effects"]():
             config["effects"] = [effect._config() for effect in self.effects]
