@@ -1,4 +1,6 @@
-#include <cmath>
+#include <fmt/format.h>
+
+#include <string_view>
 
 #include "bendlab/scene/energy.hpp"
 #include "experiments/measures/measure.hpp"
@@ -6,26 +8,34 @@
 namespace bendlab {
 namespace {
 
-// Energies and forces of the pose at the start.
+// Energies and forces of the pose at the start, and energies of the pose at the end.
 class Energy final : public Measurement {
  public:
   Energy(const RunConfig&, const BuiltScene& scene) : scene_(scene) {}
 
-  void finish(const RunEnd&, Findings& findings) override {
-    double membrane = 0, bending = 0, largest = 0;
-    Positions sum = Positions::Zero(scene_.input.positions.rows(), 3);
-    for (const EnergyPart& part : energy_parts(scene_.input, scene_.input.positions)) {
-      (part.name == "strain" ? membrane : bending) += part.energy;
-      sum += part.forces;
-    }
+  void finish(const RunEnd& end, Findings& findings) override {
+    const Positions sum = add_energies(scene_.input.positions, "start", findings);
+    double largest = 0;
     for (const auto force : sum.rowwise()) largest = std::max(largest, force.norm());
-    findings.summary["energy_membrane_start"] = membrane;
-    findings.summary["energy_bending_start"] = bending;
     findings.summary["energy_resultant_start"] = sum.colwise().sum().norm();
     findings.summary["energy_force_start"] = largest;
+    if (is_whole(end.status)) add_energies(end.simulation.positions(), "end", findings);
   }
 
  private:
+  // Adds the energies of a pose. Returns the elastic forces, #V by 3, N.
+  Positions add_energies(const Positions& pose, std::string_view when, Findings& findings) const {
+    double membrane = 0, bending = 0;
+    Positions sum = Positions::Zero(pose.rows(), 3);
+    for (const EnergyPart& part : energy_parts(scene_.input, pose)) {
+      (part.name == "strain" ? membrane : bending) += part.energy;
+      sum += part.forces;
+    }
+    findings.summary[fmt::format("energy_membrane_{}", when)] = membrane;
+    findings.summary[fmt::format("energy_bending_{}", when)] = bending;
+    return sum;
+  }
+
   const BuiltScene& scene_;
 };
 
@@ -35,14 +45,17 @@ namespace measure {
 extern const Measure energy{
     .name = "energy",
     .summary =
-        "elastic energies and forces of the pose at the start, which `bendlab energy` prints without a run",
+        "elastic energies and forces of the pose at the start, which `bendlab energy` prints without a run, "
+        "and elastic energies of the pose at the end",
     .cost = "the time of one gradient; for models with directors, of a few small Newton steps",
     .gives = []() -> std::vector<Quantity> {
       return {{"energy_membrane_start", "J", "of the strain constraints in the pose at the start"},
               {"energy_bending_start", "J", "of the bending model in the pose at the start"},
               {"energy_resultant_start", "N",
                "length of the sum of all elastic forces in the pose at the start, which is 0 up to rounding"},
-              {"energy_force_start", "N", "largest elastic force on a vertex in the pose at the start"}};
+              {"energy_force_start", "N", "largest elastic force on a vertex in the pose at the start"},
+              {"energy_membrane_end", "J", "of the strain constraints in the pose at the end"},
+              {"energy_bending_end", "J", "of the bending model in the pose at the end"}};
     },
     .begin = begun<Energy>};
 }  // namespace measure
