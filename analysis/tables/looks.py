@@ -53,17 +53,22 @@ def _at(looks, place):
     return looks[place % len(looks)]
 
 
+def _further(place, lightness):
+    """A colour for a place after the end of a list of colours: hues differ by a golden angle."""
+    return _hex(place * 0.618034 % 1, lightness, 0.6)
+
+
 def _method_colours(place):
-    """The two colours of a method. Methods after METHOD_COLOURS have hues that differ by a golden angle."""
+    """The two colours of a method."""
     if place < len(METHOD_COLOURS):
         return METHOD_COLOURS[place]
-    hue = place * 0.618034 % 1
-    return tuple(_hex(hue, lightness, 0.6) for lightness in (0.35, 0.6))
+    return tuple(_further(place, lightness) for lightness in (0.35, 0.6))
 
 
 def colour(model):
     """The colour of a model."""
-    return _at(MODEL_COLOURS, registry.model_place(model))
+    place = registry.model_place(model)
+    return MODEL_COLOURS[place] if place < len(MODEL_COLOURS) else _further(place, 0.4)
 
 
 def method_look(method, variant=0):

@@ -14,6 +14,11 @@ DEFAULTS = ("lib/bendlab/scene/scene.hpp", "lib/bendlab/scene/defaults.cpp")
 BENCHMARKS = "experiments/bench/"
 # These names also mean other things: a choice of other settings, two mesh generators, and a trait of models.
 OTHER_MEANINGS = ("none", "disc", "sphere", "prestressed")
+# Likewise, but in one file: two kinds of constraints, a column of a table, and a program by others.
+OTHER_USES = {("lib/bendlab/constraints/face_bend.hpp", "mid_edge"),
+              ("lib/bendlab/constraints/quadratic_bend.hpp", "laplacian"),
+              ("experiments/cli/stiffness_command.cpp", "moment"),
+              ("experiments/dialects/newton.cpp", "newton")}
 
 
 def code_of(path):
@@ -44,7 +49,8 @@ def uses(own_files):
             if file in (*LISTS, *DEFAULTS) or file.startswith(BENCHMARKS):
                 continue
             for number, line in enumerate(code_of(path), 1):
-                for struct in [*structs.findall(line), *(struct_of[name] for name in names.findall(line))]:
+                for struct in [*structs.findall(line), *(struct_of[name] for name in names.findall(line)
+                                                         if (file, name) not in OTHER_USES)]:
                     if own_files[struct][1] != file:
                         places.append(f"{file}:{number}: {struct}")
     return places
