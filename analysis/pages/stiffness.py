@@ -69,7 +69,19 @@ FIGURES = [
            "their yarns (2HB in the same tables); this model has no friction. So each fabric is shown as a "
            "line between two bending lengths: without friction, and with half of 2HB at 0.5/cm added. We do "
            "not know the size of the specimen and the table, so two sizes are simulated. A sheet without "
-           "bending that hangs between two lines has the shape of a catenary."),
+           "bending that hangs between two lines has the shape of a catenary. ASTM D1388 and the catenary "
+           "are verification: theory gives the answer, and the check shows whether the program solves its "
+           "equations. Drape is validation by ASME V&V 20-2009: the check shows whether the equations "
+           "describe cloth. The error E = S − D (simulation minus measurement) is compared with its standard "
+           "uncertainty u_val = √(u_num² + u_input² + u_D²). u_num comes from the scatter over seeds and "
+           f"from the difference between meshes of {textile.COARSE} and {textile.FINE} cells along the "
+           "radius. u_input comes from friction (B may be anywhere between both bending lengths), from "
+           f"directions in which B was not measured ({100 * textile.DIRECTIONS:.0f} % of B), and from "
+           f"errors of measurement of B ({100 * textile.RIGIDITY:.0f} %, our assumption) and of the weight "
+           f"({100 * textile.WEIGHT:.0f} %, our assumption). u_D is {100 * textile.DRAPE:.0f} % of D, our "
+           "assumption. A drape coefficient is validated if |E| ≤ u_val; otherwise the error of the model is "
+           "at least |E| − u_val. There is no factor of coverage: a perfect model would fail in one row of "
+           "three. Fabrics shear, but this model does not shear; u_val does not cover this difference."),
 ]
 
 
