@@ -13,6 +13,9 @@ UNBALANCED = 1e-4  # share of the loads; a static run with a larger unbalanced f
 FAMILIES = {"same": "one diagonal", "alternating": "alternating", "both": "both diagonals",
             "delaunay": "irregular", "equilateral": "equilateral"}
 MEASURES = {"mid_edge": "tan", "discrete_shells": "theta"}  # the default measure of a model
+# Order of convergence in theory: of Morley's triangle and of the discrete Kirchhoff triangle, as of linear
+# triangles of the membrane, in energies and displacements. For other models no order is known.
+ORDERS = {"mid_edge": 2.0, "dkt": 2.0}
 
 
 def runs_of(results, section, *configs):
@@ -43,8 +46,12 @@ def family(run):
 def corner_displacement(run, place):
     """The displacement of the vertex that is nearest to `place` at rest, from rest to the last frame."""
     rest = run.rest_positions
-    vertex = int(np.argmin(np.linalg.norm(rest - np.asarray(place), axis=1)))
-    return run.positions(-1)[vertex] - rest[vertex]
+    return displacement(run, int(np.argmin(np.linalg.norm(rest - np.asarray(place), axis=1))))
+
+
+def displacement(run, vertex):
+    """The displacement of a vertex from rest to the last frame."""
+    return run.positions(-1)[vertex] - run.rest_positions[vertex]
 
 
 @dataclass
@@ -54,6 +61,7 @@ class Converging:
     rows: list  # {"h": mesh size, "value": number}, coarsest first
     truth: float
     result: order.Convergence | None  # None: fewer than three meshes
+    formal: float | None = None  # order in theory
 
     @property
     def finest(self):
@@ -87,7 +95,7 @@ class Converging:
         """The values of the columns of columns()."""
         known = self.result is not None and self.result.kind == "monotonic"
         return {"finest": self.finest / self.truth, "off": 100 * self.off,
-                "order": self.result.order if known else math.nan,
+                "order": self.result.order if known else math.nan, "formal": self.formal or math.nan,
                 "limit": self.result.limit / self.truth if known else math.nan,
                 "bar": 100 * self.uncertainty, "verdict": self.verdict}
 
@@ -95,22 +103,27 @@ class Converging:
 def columns():
     """The columns that cells() fills."""
     return [("finest", "finest mesh over truth", ".4f"), ("off", "error", "+.2f", "%"),
-            ("order", "observed order", ".2f"), ("limit", "limit over truth", ".4f"),
+            ("order", "observed order", ".2f"), ("formal", "order in theory", ".0f"),
+            ("limit", "limit over truth", ".4f"),
             ("bar", "uncertainty", ".2g", "%", "grid convergence index (Roache 1994) of the finest mesh, "
-                                               "from "
-             "the three finest meshes, relative to the truth"), "verdict"]
+             "from the three finest meshes, relative to the truth"), "verdict"]
 
 
 def converging(runs, value, truth, size=lambda run: run.summary["edge_length"]):
     """Converging of runs that differ only in the size of their cells. `value`: run → number."""
     rows = sorted(({"h": size(run), "value": value(run), "run": run} for run in runs),
                   key=lambda row: -row["h"])
+    return of_rows(rows, truth, ORDERS.get(runs[0].model))
+
+
+def of_rows(rows, truth, formal):
+    """Converging of {"h": mesh size, "value": number}, coarsest first. `formal`: order in theory, or None."""
     last = rows[-3:]
     sizes = [row["h"] for row in last]
     made = None
     if len(last) == 3 and len(set(sizes)) == 3 and all(math.isfinite(row["value"]) for row in last):
-        made = order.converge(sizes, [row["value"] for row in last])
-    return Converging(rows, truth, made)
+        made = order.converge(sizes, [row["value"] for row in last], formal)
+    return Converging(rows, truth, made, formal)
 
 
 def by_model_and_family(runs, *more):

@@ -7,12 +7,10 @@ from runs import verified
 from tables.committed import COMMITTED
 from truths import cantilevers, shells
 
-TENTH_INWARDS = 10  # length of the sheared cantilever
-
 
 def main(results, out, section):
     rows = []
-    for run_rows in (end_shear, end_moment, slit, roof, twisted):
+    for run_rows in (end_shear, end_moment, slit, roof, pinched, hemispheres, twisted):
         rows += run_rows(results, section)
     section.add_table("shells", "Displacements over published or exact values", [
         "benchmark", ("quantity", "displacement"), "model", ("family", "mesh"), ("truth", "expected", ".6g"),
@@ -99,6 +97,26 @@ def roof(results, section):
                  "thin-shell theory (analysis/truths)")
 
 
+def pinched(results, section):
+    runs = verified.runs_of(results, section, "pinched_cylinder")
+    value = lambda run: -verified.displacement(run, run.get("/effects/0/indices")[0])[0]
+    return _rows("pinched cylinder", "of a load", runs, value, shells.PINCHED.targets[0].computed(),
+                 "thin-shell theory (analysis/truths); Belytschko and others 1985: 1.8248e-5")
+
+
+def hemispheres(results, section):
+    rows = []
+    value = lambda run: 100 * verified.displacement(run, run.get("/effects/0/indices")[0])[0]
+    for benchmark, name, configs in (
+            (shells.HOLED, "hemisphere with a hole", ["hemisphere_hole"]),
+            (shells.CLOSED, "hemisphere", [f"hemisphere_closed_{rings}" for rings in (8, 16, 32)])):
+        target = benchmark.targets[0]
+        rows += _rows(name, "of a load", verified.runs_of(results, section, *configs), value,
+                      target.computed(),
+                      f"thin-shell theory (analysis/truths); published: {target.values[1.0]}")
+    return rows
+
+
 def twisted(results, section):
     runs = verified.runs_of(results, section, "twisted_beam")
     rows = []
@@ -113,10 +131,11 @@ def twisted(results, section):
 
 
 def oracle(section):
-    """The results of CalculiX, which analysis/oracle/run.py made."""
+    """The results of CalculiX, which analysis/solve_oracle.py made."""
     file = COMMITTED / "verification" / "calculix.json"
     if not file.exists():
-        section.missing.append("results/verification/calculix.json: python3 analysis/oracle/run.py makes it")
+        section.missing.append("results/verification/calculix.json, which python3 analysis/solve_oracle.py "
+                               "makes")
         return
     stored = json.loads(file.read_text(encoding="utf-8"))
     rows = [{**row, "off": 100 * (row["value"] / row["truth"] - 1) if row["truth"] else np.nan}

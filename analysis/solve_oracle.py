@@ -4,6 +4,7 @@
 Writes results/verification/calculix.json: the version of CalculiX, and a row for each quantity, mesh and load
 (field names: calculix.Value). `deck` names the input file in results/verification/calculix.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import gzip
 import json
 import re
@@ -11,10 +12,9 @@ import sys
 from dataclasses import asdict
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-from oracle import calculix, decks  # noqa: E402
+from oracle import calculix, decks
 
-RESULTS = Path(__file__).resolve().parents[2] / "results" / "verification"
+RESULTS = Path(__file__).resolve().parents[1] / "results" / "verification"
 LARGE = 8_000  # bytes; larger decks are compressed
 
 
