@@ -10,6 +10,8 @@ from tables import looks
 from truths import order
 
 UNBALANCED = 1e-4  # share of the loads; a static run with a larger unbalanced force is no equilibrium
+NEAR = 0.01  # relative; a limit that is nearer to the truth agrees with it
+KNOWN = 0.05  # relative; a row with a larger uncertainty says nothing
 FAMILIES = {"same": "one diagonal", "alternating": "alternating", "both": "both diagonals",
             "delaunay": "irregular", "equilateral": "equilateral"}
 MEASURES = {"mid_edge": "tan", "discrete_shells": "theta"}  # the default measure of a model
@@ -87,8 +89,10 @@ class Converging:
         if self.result.kind == "divergent":
             return "does not converge"
         apart = abs(self.result.limit / self.truth - 1)
-        if abs(self.off) <= max(self.uncertainty, 1e-9) or apart <= 0.01:
+        if apart <= NEAR or abs(self.off) <= max(self.uncertainty, 1e-9) and self.uncertainty <= KNOWN:
             return "agrees"
+        if self.uncertainty > KNOWN:
+            return "not resolved"
         return f"converges to {self.result.limit / self.truth:.3f}"
 
     def cells(self):

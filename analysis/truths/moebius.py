@@ -17,7 +17,7 @@ axis that contains d₂ at s = 0 and d₁ at s = 1/2, where κ changes its sign 
 van der Heijden 2007, The shape of a Möbius strip, doi 10.1038/nmat1929, solve these equations for finite
 width.
 
-What this room does not compute: strips of finite width. Their equations (Wunderlich 1962) are of higher
+Not computed here: strips of finite width. Their equations (Wunderlich 1962) are of higher
 order, and singular at the edge point of the symmetry axis; published numbers could not be read. The energy of
 a strip of finite width is larger than D w/L times ENERGY, because Wunderlich's density exceeds Sadowsky's.
 """

@@ -37,7 +37,7 @@ class Support:
 class Target:
     """Published displacements of a point along a unit vector. `values`: {share of the whole load:
     displacement}; `error`: half a unit of the last published digit; `computed`: the displacement in the limit
-    of thin shells at the whole load, as a function without arguments, if this room can compute it."""
+    of thin shells at the whole load, as a function without arguments, if analysis/truths can compute it."""
     point: str
     direction: tuple
     values: dict

@@ -23,9 +23,9 @@ constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
 bool nothing_acts_but_gravity(const BuiltScene& scene) {
-  return scene.pins.all.empty() && std::ranges::all_of(scene.effects, [](const Effect& effect) {
-           return effect.kind().keeps_angular_momentum;
-         });
+  return scene.pins.all.empty() && scene.pins.held.empty() &&
+         std::ranges::all_of(scene.effects,
+                             [](const Effect& effect) { return effect.kind().keeps_angular_momentum; });
 }
 
 double farthest_from(const Eigen::RowVector3d& centre, const Positions& positions) {

@@ -108,7 +108,7 @@ Plausibility::Plausibility(const BuiltScene& scene)
 void Plausibility::find_what_drives() {
   driven_ = std::ranges::any_of(scene_.effects, does_work);
   free_ =
-      scene_.pins.all.empty() && scene_.input.method.kind().keeps_momentum &&
+      scene_.pins.all.empty() && scene_.pins.held.empty() && scene_.input.method.kind().keeps_momentum &&
       std::ranges::all_of(scene_.effects, [](const Effect& effect) { return effect.kind().keeps_momentum; });
 }
 

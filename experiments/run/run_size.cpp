@@ -5,6 +5,7 @@
 #include <mutex>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bendlab/scene/built_scene.hpp"
@@ -44,7 +45,8 @@ Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
 // The size of the whole mesh if the whole mesh were like the patch. `whole`: length of the mesh divided by
 // length of the patch.
 RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
-  const RestMesh rest(rest_mesh_of(patch, scene.folder).mesh);
+  AcceptedMesh accepted = rest_mesh_of(patch, scene.folder);
+  const RestMesh rest(std::move(accepted.mesh), std::move(accepted.named));
   // A prime number, because few grids have a row length that is a multiple of 17.
   const int stride = rest.vertex_count() > counted_whole ? 17 : 1;
   const BendingConstraints built =

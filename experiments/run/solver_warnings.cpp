@@ -101,7 +101,7 @@ bool has_tethers(const BuiltScene& scene) {
 
 // Whether pins or obstacles hold the cloth. In free fall, no load stretches the membrane.
 bool is_held(const BuiltScene& scene) {
-  return !scene.pins.all.empty() || has_obstacle(scene);
+  return !scene.pins.all.empty() || !scene.pins.held.empty() || has_obstacle(scene);
 }
 
 // Whether the membrane stretches, but its stiffness was not measured (in a run with coarse levels, the
@@ -311,8 +311,8 @@ Message no_equilibrium(const WarningInput& input) {
       input.scene.effects, [](const Effect& effect) { return effect.kind().force_follows_pose; });
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
-      : blows ? "The force of the wind changes with the pose, and Newton's method ignores this change: let "
-                "the cloth come to rest with the method newton and viscous_drag"
+      : blows ? "The force of an effect may change with the pose, and Newton's method ignores this change: "
+                "let the cloth come to rest with the method newton and viscous_drag"
               : "A longer /duration allows more steps";
   return WarningText(fmt::format("no equilibrium was found: in the end, the unbalanced forces are {:.2g} "
                                  "times the loads. The metrics of this run describe its last steps. {}",

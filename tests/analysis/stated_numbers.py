@@ -108,7 +108,7 @@ STATED["README.md"] = [
     ("varies by a factor of {:.0f} to {:.0f} from 12", min(ruled), max(ruled)),
     ("(`pin_zone`), the stiffness varies by at most {:.0f} %", 100 * (ratio["adaptive"] - 1))]
 STATED["lib/bendlab/bending/README.md"] = [
-    ("Such a sheet has 0.75 of the stated", SMALL), ("and 0.93 on irregular meshes", SMALL),
+    ("A wide sheet then has 0.75 of the stated", SMALL), ("and 0.93 on irregular meshes", SMALL),
     ("are 4 times as stiff", SMALL + ": model_large_deflection_most over _least"),
     ("are 1.4 times as stiff",
      "configs/models/k_ring.json, physical, ring 2 alone: model_quartic_anisotropy"),

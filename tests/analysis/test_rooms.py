@@ -4,7 +4,7 @@ import unittest
 from pathlib import Path
 
 ANALYSIS = Path(__file__).resolve().parents[2] / "analysis"
-ROOMS = ["bendlab", "oracle", "truths", "tables", "runs", "draw", "figures", "web", "sweep", "pages"]
+ROOMS = ["bendlab", "truths", "oracle", "tables", "runs", "draw", "figures", "web", "sweep", "pages"]
 
 
 def modules():

@@ -11,7 +11,7 @@ from runs import verified  # noqa: E402
 
 def made(value, sizes=(0.4, 0.2, 0.1, 0.05), truth=1.0):
     """Converging of runs with the mesh sizes `sizes`. `value`: mesh size → number."""
-    runs = [SimpleNamespace(summary={"edge_length": size}) for size in sizes]
+    runs = [SimpleNamespace(summary={"edge_length": size}, model="none") for size in sizes]
     return verified.converging(runs, lambda run: value(run.summary["edge_length"]), truth)
 
 
@@ -27,6 +27,16 @@ class Verdicts(unittest.TestCase):
         result = made(lambda h: 0.8 + 0.3 * h)
         self.assertEqual(result.verdict, "converges to 0.800")
         self.assertAlmostEqual(result.cells()["order"], 1, places=9)
+
+    def test_a_row_with_a_wide_bar_is_not_resolved(self):
+        result = made(lambda h: 0.5 + 0.9 * h**0.2)  # order 0.2: the bar is wider than the error
+        self.assertEqual(result.verdict, "not resolved")
+
+    def test_the_order_in_theory_makes_the_bar_of_an_irregular_row_wider(self):
+        sizes, values = (0.4, 0.2, 0.1), (1.5, 1.2, 1.0)  # observed order 0.58
+        rows = [{"h": size, "value": value} for size, value in zip(sizes, values)]
+        wide, narrow = (verified.of_rows(rows, 1.0, formal).uncertainty for formal in (2.0, None))
+        self.assertAlmostEqual(wide / narrow, 3 / 1.25, places=9)
 
     def test_growth_without_bound_does_not_converge(self):
         self.assertEqual(made(lambda h: 1 / h).verdict, "does not converge")

@@ -21,6 +21,7 @@ from truths import manufactured, order  # noqa: E402
 STORED = ROOT / "results/verification/manufactured.json"
 MEMBRANE, RIGIDITY = 1000.0, 1.0  # N/m and N m
 CELLS = (8, 16, 32, 64)
+CELLS_DKT = (4, 8, 16)  # dkt has no kernel
 FAMILIES = {"same": {"diagonal": "same"}, "alternating": {"diagonal": "alternating"},
             "delaunay": {"generator": "delaunay", "seed": 1}}
 MODELS = {"mid_edge": bl.MidEdge, "mid_edge_average": bl.MidEdgeAverage, "dkt": bl.Dkt,
@@ -61,12 +62,15 @@ def rows():
     truth, found = exact(), []
     for family in FAMILIES:
         for model in MODELS:
-            on_meshes = [works(model, family, cells) for cells in CELLS]
-            for part in ["bending"] + ["membrane"] * (model == "mid_edge"):
-                found += [{"part": part, "model": model if part == "bending" else "stvk", "family": family,
-                           "displacement": name, "cells": CELLS, "truth": value,
-                           "work": [float(f"{on_mesh[part][name]:.9g}") for on_mesh in on_meshes]}
-                          for name, value in truth[part].items()]
+            meshes = CELLS_DKT if model == "dkt" else CELLS
+            on_meshes = [works(model, family, cells) for cells in meshes]
+            # Bending does next to no work on displacements along the sheet.
+            for part, name in [("bending", "across")] + [
+                    ("membrane", name) for name in truth["membrane"] if model == "mid_edge"]:
+                found.append({"part": part, "model": model if part == "bending" else "stvk",
+                              "family": family, "displacement": name, "cells": meshes,
+                              "truth": truth[part][name],
+                              "work": [float(f"{on_mesh[part][name]:.9g}") for on_mesh in on_meshes]})
     return found
 
 
@@ -80,13 +84,17 @@ class Manufactured(unittest.TestCase):
         cls.rows = rows()
 
     def test_the_forces_converge_to_the_exact_work(self):
-        # Linear triangles and Morley's triangle have errors ∝ h². Irregular meshes are not refined evenly, so
-        # that three of them show no order; their error on the finest mesh has to be small.
+        # Linear triangles, Morley's triangle and the discrete Kirchhoff triangle have errors ∝ h². Irregular
+        # meshes are not refined evenly, so they show no order. On the finest mesh a cell is 1/64 of the
+        # square (of dkt 1/16), and the shortest waves of the pose are 2/3 of it: (2 π / 64 / (2/3))² / 12 is
+        # 0.2 %, but strains are differences of squares of slopes, whose errors add up.
         for row in self.rows:
             if row["model"] not in ("mid_edge", "dkt", "stvk"):
                 continue
             with self.subTest(**{name: row[name] for name in ("model", "family", "displacement")}):
-                self.assertLess(abs(row["work"][-1] / row["truth"] - 1), 5e-3)
+                self.assertLess(abs(row["work"][-1] / row["truth"] - 1), 1e-2)
+                if row["family"] != "delaunay" and row["model"] != "dkt":  # whose meshes are too coarse
+                    self.assertAlmostEqual(convergence(row).order, 2, delta=0.3)
 
     def test_the_stored_rows_are_those_of_the_program(self):
         stored = json.loads(STORED.read_text(encoding="utf-8"))["rows"]

@@ -23,7 +23,7 @@ def main(results, out, section):
             rows.append({"width": width, "model": model, "family": family, "truth": truth} | made.cells())
             charted += [{"width": width, "cells": cells(run), "over": load(run) / truth,
                          "squared": 1e4 * deflection(run)**2} for run in own]
-    section.add_table("buckling", "Critical load Γ* = ρ g L³ / D of an upright strip (ν = 0.3)", [
+    section.add_table("buckling", "Critical load Γ* = ρ g L³ / B of an upright strip (ν = 0.3)", [
         ("width", "width over length"), "model", ("family", "mesh"), ("truth", "plate theory", ".3f"),
         *verified.columns()], rows)
     section.add_table("deflections", "", [
@@ -43,7 +43,7 @@ def _length(run):
 
 
 def load(run):
-    """Γ = ρ g L³ / D."""
+    """Γ = ρ g L³ / B."""
     return (run.get("/material/density") * -run.get("/effects/0/acceleration")[1] * _length(run)**3
             / run.get("/bending/flexural_rigidity"))
 

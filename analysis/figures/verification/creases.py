@@ -27,6 +27,6 @@ def main(results, out, section):
         "model", ("growth", "growth per halving of the cells", ".2f"), ("grows", "grows without bound"),
         ("rises", "rises with the angle"), ("turns", "falls from")], rows)
     section.add_table("angles", "", ["model", ("angle", "angle of the crease", "", "degrees"),
-                                     ("energy", "energy over D")], charted)
+                                     ("energy", "energy over B")], charted)
     section.add_chart("angles", "Energy of a sharp crease on the finest mesh", "angle", ["energy"],
                       scale="linear")

@@ -49,7 +49,8 @@ def end_shear(results, section):
             value = (lambda run: -_tip(run)[2]) if axis == 0 else (lambda run: -_tip(run)[0])
             exact = 10 * cantilevers.end_shear(4 * share)[axis]
             rows += _rows("end shear", f"{name}, {share:g} of the load", own, value, exact,
-                          f"exact elastica; Sze, Liu and Lo 2004: {target.values[share]}")
+                          "exact elastica; Sze, Liu and Lo 2004, as copied in Project Chrono: "
+                          f"{target.values[share]}")
     return rows
 
 
@@ -83,7 +84,7 @@ def slit(results, section):
                 exact = np.linalg.norm(rest[near] - place, axis=1) < 1e-6
                 return float(np.abs(moved[exact][:, 2]).max())
             rows += _rows("slit ring", f"at radius {radius}, {share:g} of the load", own, value,
-                          target.values[share], "Sze, Liu and Lo 2004")
+                          target.values[share], "Sze, Liu and Lo 2004, as copied in Project Chrono")
     return rows
 
 

@@ -14,7 +14,7 @@ LENGTH = 0.2  # m, between the clamps
 SIZE = 4.0  # of the loops, length over (B/ρ g)^(1/3)
 LOOPS = {"ring": (20, 40, 80), "heart": (20, 40, 80), "pear": (20, 40, 80)}
 ACROSS = 2  # cells across a loop
-MOEBIUS = {0.1: (40, 80), 0.05: (80,), 0.025: (80,)}  # width over length → cells along the strip
+MOEBIUS = {0.1: (40, 80, 160), 0.025: (40, 80, 160)}  # width over length → cells along the strip
 
 
 def triangles(along, across):
@@ -58,7 +58,7 @@ def moebius_strip(width, cells):
     # The strip goes on behind its ends: s = -a is s = 1 - a on the other side of the strip.
     place = np.concatenate([place[:, -2:-1], place, place[:, 1:2]], axis=1)
     across = np.concatenate([-across[:, -2:-1], across, -across[:, 1:2]], axis=1)
-    count = max(2, round(width * cells))
+    count = max(2, round(width * cells / 2))  # of cells across the strip
     offsets = width * (np.arange(count + 1) / count - 0.5)
     write(f"moebius_{width:g}_{cells}", LENGTH * (place.T + offsets[:, None, None] * across.T))
 

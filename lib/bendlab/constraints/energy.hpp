@@ -14,9 +14,9 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Elastic energy of warp, weft and shear in the given form, in J times the scene's compliance. The α of
-/// Each α is compliance / rest area, times stretch_softness(), shear_softness() or area_softness(). `area`:
-/// of StrainForm::stvk (batches.hpp); other forms leave out the area.
+/// Elastic energy of warp, weft and shear in the given form, in J times the scene's compliance. The
+/// compliance of a constraint is the scene's compliance / rest area, times stretch_softness(),
+/// shear_softness() or area_softness(). `area`: ν/(1 - ν) of StrainForm::stvk; other forms have no area.
 double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions,
                       double area = 0);
 

@@ -25,7 +25,8 @@ constexpr std::array fields = {
     field<&EdgeMoment::vertices>({.name = "vertices",
                                   .meaning =
                                       "vertices of the border on which the moment acts, by the names of "
-                                      "/pins/vertices: a whole side, for example",
+                                      "/pins/vertices: a whole side, for example. If vertices and indices "
+                                      "are empty, the moment acts on the whole border",
                                   .choices = place_names}),
     field<&EdgeMoment::indices>(
         {.name = "indices",
@@ -35,10 +36,10 @@ constexpr std::array fields = {
     field<&EdgeMoment::moment>({.name = "moment",
                                 .unit = "N m",
                                 .meaning =
-                                    "the sum of the moments of all edges between these vertices, divided "
-                                    "by their lengths; each acts about its edge, as a couple of forces "
-                                    "on the triangle there. Above 0, it bends the border against the "
-                                    "normals of the triangles"}),
+                                    "total moment. Every border edge between these vertices gets a share "
+                                    "in proportion to its length, which acts about the edge as a couple of "
+                                    "forces on the triangle there. Above 0, the border turns to the side "
+                                    "opposite to the normals of the triangles"}),
     field<&EdgeMoment::ramp, EdgeMoment>(
         {.name = "ramp",
          .unit = "s",

@@ -12,8 +12,9 @@ constexpr std::array fields = {
     field<&Pressure::pressure>({.name = "pressure",
                                 .unit = "Pa",
                                 .meaning =
-                                    "force per present area, along the present normals of the triangles "
-                                    "(right-handed about their corners); below 0: against them"}),
+                                    "force per area of the deformed cloth. Above 0: along the normals of "
+                                    "the triangles, which point to the side from which the corners run "
+                                    "counterclockwise. Below 0: in the opposite direction"}),
     field<&Pressure::ramp, Pressure>({.name = "ramp",
                                       .unit = "s",
                                       .meaning = "time in which the pressure grows linearly to its full size",

@@ -33,9 +33,15 @@ int rows_of_squares(double width, double height, int cells) {
   return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
 }
 
+// Whether /mesh/aspect stretches a generator's mesh.
+bool stretches(Generator generator) {
+  return generator == Generator::grid || generator == Generator::equilateral ||
+         generator == Generator::delaunay;
+}
+
 TriangleMesh generate(const Mesh& stated) {
   Mesh mesh = stated;
-  mesh.height /= stated.aspect;  // all flat generators; stretched() makes up for it
+  if (stretches(mesh.generator)) mesh.height /= mesh.aspect;  // generated_mesh() stretches the mesh
   switch (mesh.generator) {
     case Generator::grid:
       return grid(mesh.width, mesh.height, mesh.cells, rows_of_squares(mesh.width, mesh.height, mesh.cells),
@@ -69,8 +75,7 @@ AcceptedMesh generated_mesh(const Mesh& mesh) {
   TriangleMesh generated;
   try {
     generated = generate(mesh);
-    if (mesh.generator != Generator::tube && mesh.generator != Generator::sphere)
-      generated.positions.col(1) *= mesh.aspect;
+    if (stretches(mesh.generator)) generated.positions.col(1) *= mesh.aspect;
     if (mesh.shuffle) generated = shuffled(generated, *mesh.shuffle);
     require_areas(generated);
   } catch (const std::invalid_argument& error) {  // settings that are valid, but do not fit together
@@ -394,8 +399,10 @@ AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder)
     } catch (const std::invalid_argument& error) {
       throw ConfigError("/mesh/surface", {{"/mesh/surface/shape", error.what()}});
     }
-  accepted.mesh.positions *= mesh.scale;
-  accepted.mesh.positions.rowwise() += mesh.offset.transpose();
+  for (Positions* positions : {&accepted.mesh.positions, &accepted.named}) {
+    *positions *= mesh.scale;
+    positions->rowwise() += mesh.offset.transpose();
+  }
   require_numbers_hold(accepted.mesh, !mesh.offset.isZero(0));
   return accepted;
 }

@@ -31,6 +31,7 @@ std::vector<EnergyPart> energy_parts(const SimulationInput& input, const Positio
   SimulationInput bare = input;
   bare.strain = {}, bare.edges = {}, bare.distance = {}, bare.elements = {}, bare.own = {};
   std::ranges::fill(bare.is_pinned, 0);
+  bare.held.clear();
   const auto add = [&](std::string_view name, const auto& fill) {
     SimulationInput part = bare;
     fill(part);

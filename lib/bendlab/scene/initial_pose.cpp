@@ -69,7 +69,8 @@ Positions positions_of_file(const std::filesystem::path& path, const RestMesh& r
   const PolygonSoup soup = read_polygon_soup(path);
   const auto is_vertex = [&](std::int64_t v) { return v >= 0 && std::cmp_less(v, soup.points.size()); };
   for (const auto& triangle : soup.triangles)
-    if (!std::ranges::all_of(triangle, is_vertex)) refuse_file("has a triangle with a vertex that it lacks");
+    if (!std::ranges::all_of(triangle, is_vertex))
+      refuse_file("has a triangle that names a vertex which is not in the file");
   if (!std::ranges::all_of(soup.points, is_finite<std::array<double, 3>>))
     refuse_file("has a coordinate that is not finite");
   const TriangleMesh pose = to_mesh(soup);
@@ -79,7 +80,7 @@ Positions positions_of_file(const std::filesystem::path& path, const RestMesh& r
                             rest.triangle_count()));
   for (Eigen::Index t = 0; t < pose.triangles.rows(); ++t)
     if (pose.triangles.row(t) != rest.triangles().row(t))
-      refuse_file(fmt::format("joins other vertices by triangle {} than the rest mesh does", t));
+      refuse_file(fmt::format("has a triangle {} with other vertices than in the rest mesh", t));
   return pose.positions;
 }
 
@@ -99,7 +100,9 @@ Positions stated_pose(const Initial& initial, const RestMesh& rest, const std::f
   if (initial.folds > 0) return folded(rest, initial.folds, initial.fold_gap);
   if (initial.creases > 0) return creased(rest, initial.creases);
   try {
-    return on_surface(initial.surface, rest.named_positions());
+    const Positions& flat = rest.named_positions();
+    const Eigen::RowVector3d centre = 0.5 * (flat.colwise().minCoeff() + flat.colwise().maxCoeff());
+    return on_surface(initial.surface, flat).rowwise() + centre;
   } catch (const std::invalid_argument& error) {
     refuse("/initial/surface/shape", error.what());
   }
@@ -112,6 +115,11 @@ Positions tilted(const Positions& positions, const Vector3& centre, double degre
   return ((positions.rowwise() - centre.transpose()) * rotation.transpose()).rowwise() + centre.transpose();
 }
 
+// Whether a vertex keeps its coordinate along an axis.
+bool is_held(const Pins& pins, int v, int axis) {
+  return pins.pinned(v) || (!pins.held.empty() && (pins.held[static_cast<std::size_t>(v)] >> axis & 1) != 0);
+}
+
 // Stretches free vertices, relative to the mean of the seeds of the pins, or to the centre without pins.
 void scale(Positions& positions, const Vector3& factor, const RestMesh& rest, const Pins& pins) {
   if (factor == Vector3::Ones()) return;
@@ -119,7 +127,8 @@ void scale(Positions& positions, const Vector3& factor, const RestMesh& rest, co
   for (const int seed : pins.seeds)
     about += positions.row(seed).transpose() / static_cast<double>(pins.seeds.size());
   for (int v = 0; v < rest.vertex_count(); ++v)
-    if (!pins.pinned(v)) positions.row(v) = about + factor.cwiseProduct(positions.row(v).transpose() - about);
+    for (int i = 0; i < 3; ++i)
+      if (!is_held(pins, v, i)) positions(v, i) = about[i] + factor[i] * (positions(v, i) - about[i]);
 }
 
 // A vector with components uniform in [-1, 1].
@@ -139,12 +148,12 @@ Positions initial_positions(const Initial& initial, const RestMesh& rest, const 
   std::mt19937_64 generator(initial.seed);
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const Vector3 random = uniform_vector(generator);
-    if (pins.pinned(v)) continue;
-    if (box > 0)
-      positions.row(v) = rest.centre() + 0.5 * box * random;
-    else
+    for (int i = 0; i < 3; ++i) {
+      if (is_held(pins, v, i)) continue;
       // std::fma, because otherwise rounding depends on whether the compiler fuses multiply and add.
-      for (int i = 0; i < 3; ++i) positions(v, i) = std::fma(amplitude, random[i], positions(v, i));
+      positions(v, i) = box > 0 ? rest.centre()[i] + 0.5 * box * random[i]
+                                : std::fma(amplitude, random[i], positions(v, i));
+    }
   }
   return positions;
 }

@@ -46,6 +46,8 @@ constexpr auto makes_at_random = read_when<Scene>(
 constexpr auto may_seed_mesh = read_when<Scene>([](const Scene& s) { return !s.mesh.file || s.mesh.jitter; });
 constexpr auto has_triangles =
     read_when<Scene>([](const Scene& s) { return s.solver.method.kind().membrane == Membrane::triangles; });
+constexpr auto has_directions = read_when<Scene>(
+    [](const Scene& s) { return has_triangles(&s) && s.material.strain.form != StrainForm::stvk; });
 constexpr auto bends_by_number = bends_by<Stiffness::k, Stiffness::k_per_step, Stiffness::compliance>;
 constexpr auto may_bend_by_k = read_when<Scene>(
     [](const Scene& s) { return bends_by_number(&s) && s.solver.method.kind().needs_compliance.empty(); });
@@ -64,7 +66,8 @@ constexpr auto states_membrane =
 constexpr auto states_rigidity =
     read_when<Scene>([](const Scene& s) { return bends_by<Stiffness::physical>(&s) && !is_shell(&s); });
 constexpr auto takes_poisson_ratio = read_when<Scene>([](const Scene& s) {
-  return s.bending.model.kind().takes_poisson_ratio || s.material.strain.form == StrainForm::stvk;
+  return s.bending.model.kind().takes_poisson_ratio || s.material.strain.form == StrainForm::stvk ||
+         is_shell(&s);
 });
 constexpr auto has_flat_generator = read_when<Scene>([](const Scene& s) {
   return generated_by<Generator::grid, Generator::equilateral, Generator::delaunay>(&s);
@@ -200,7 +203,8 @@ constexpr std::array pins = {
                 .minimum = 0}),
       field<&Pinning::hold_x>({.name = "hold_x",
               .meaning = "Vertices, by the names of `vertices`, that keep their coordinate x, and are free "
-                         "along y and z: a plane of symmetry, a diaphragm or a roller",
+                         "along y and z: a diaphragm or a roller, for example. The sheet can turn "
+                         "about them",
               .choices = place_names}),
       field<&Pinning::hold_y>({.name = "hold_y",
               .meaning = "Vertices that keep their coordinate y", .choices = place_names}),
@@ -275,16 +279,16 @@ constexpr std::array strain = {
               .kept_when = strains_by<Stiffness::physical>, .depends_on = on_strain_stiffness}),
     field<&Strain::warp>({.name = "warp", .unit = "1",
               .meaning = "k of stretch along the warp",
-              .minimum = 0, .maximum = 1, .read_when = has_triangles}),
+              .minimum = 0, .maximum = 1, .read_when = has_directions, .kept_when = has_triangles}),
     field<&Strain::weft>({.name = "weft", .unit = "1",
               .meaning = "k of stretch across the warp",
-              .minimum = 0, .maximum = 1, .read_when = has_triangles}),
+              .minimum = 0, .maximum = 1, .read_when = has_directions, .kept_when = has_triangles}),
     field<&Strain::shear>({.name = "shear", .unit = "1",
               .meaning = "k of shear",
-              .minimum = 0, .maximum = 1, .read_when = has_triangles}),
+              .minimum = 0, .maximum = 1, .read_when = has_directions, .kept_when = has_triangles}),
     field<&Strain::area>({.name = "area", .unit = "1",
               .meaning = "k of a triangle's area; 0: no area constraint",
-              .minimum = 0, .maximum = 1, .read_when = has_triangles}),
+              .minimum = 0, .maximum = 1, .read_when = has_directions, .kept_when = has_triangles}),
     field<&Strain::compliance>({.name = "compliance", .unit = "m/N",
               .meaning = "Compliance of every strain constraint, used if stiffness is compliance; 0 is rigid",
               .minimum = 0, .read_when = strains_by<Stiffness::compliance>, .kept_when = always,

@@ -120,6 +120,7 @@ void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   }
   this->run(contact_, context);
   if (data_.contacts.in_use()) data_.contacts.hold(state_);
+  this->hold_axes();
   this->run(after_, context);
 }
 
@@ -246,7 +247,10 @@ void ImplicitStep<Real>::keep_momentum() {
     unbalanced -= data_.contacts.obstacle_force_at(v, state_.position[v].vector()).template cast<double>();
     stiffness += data_.contacts.obstacle_stiffness(v).template cast<double>();
   }
-  const Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
+  Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
+  for (const auto& held : this->held_)  // a support carries the momentum along its axes
+    for (int axis = 0; axis < 3; ++axis)
+      if (held.axes[static_cast<std::size_t>(axis)]) move(axis) = 0;
   for (std::size_t v = 0; v < vertices; ++v) state_.position[v].set(state_.position[v].vector() - move);
 }
 
@@ -275,14 +279,17 @@ std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
   const Points<Real>& reached = data_.contacts.in_use() ? data_.contacts.before() : state_.position;
   const Points<Real> elastic = elastic_forces(reached);
   double left = 0, inertia = 0;
+  Points<Real> forces(data_.weight.size());
   for (std::size_t v = 0; v < data_.weight.size(); ++v) {
     if (!(data_.weight[v] > 0)) continue;
     Vector3Of<Real> force = data_.weight[v] * (data_.target[v].vector() - reached[v].vector());
     inertia += static_cast<double>(force.norm());
     force += elastic[v].vector();
     if (data_.contacts.in_use()) force = data_.contacts.along(v, force, reached[v].vector());
-    left += static_cast<double>(force.norm());
+    forces[v].set(force);
   }
+  this->drop_held(forces);
+  for (const Point<Real>& force : forces) left += static_cast<double>(force.vector().norm());
   const double scale = data_.total_force > rounded ? data_.total_force : inertia;
   if (!(scale > rounded)) return std::nullopt;
   return StepResidual{left, scale};

@@ -110,6 +110,16 @@ class TimeStep : public Simulation {
       return held.point == point && held.axes[static_cast<std::size_t>(axis)];
     });
   }
+  /// Moves held vertices back along their held axes, to their places before the substep.
+  void hold_axes() {
+    for (const Held& held : held_) {
+      Vector3Of<Real> x = state_.position[held.point].vector();
+      const Vector3Of<Real> before = state_.previous[held.point].vector();
+      for (int axis = 0; axis < 3; ++axis)
+        if (held.axes[static_cast<std::size_t>(axis)]) x(axis) = before(axis);
+      state_.position[held.point].set(x);
+    }
+  }
   /// Sets the coordinates of held axes to 0.
   void drop_held(Points<Real>& vectors) const {
     for (const Held& held : held_) {

@@ -42,7 +42,9 @@ class NewtonStep final : public ImplicitStep<double> {
       : ImplicitStep<double>(input, settings_of<Newton>(input), {}),
         system_(input),
         positions_(input.points()),
+        free_axes_(VectorXd::Ones(system_.unknowns())),
         size_(input.size) {
+    system_.drop_held(free_axes_);
     // Contacts are much stiffer than inertia, but softer than the membrane, so that contacts add no rounding.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
     compile_plan(std::move(effect_passes), 10, 0.3 * membrane);
@@ -75,7 +77,8 @@ class NewtonStep final : public ImplicitStep<double> {
         diagonal.segment<3>(3 * at).setConstant(data_.weight[v]);
         if (!data_.contacts.in_use() || !data_.contacts.pushes(v)) continue;
         residual.segment<3>(3 * at) += data_.contacts.force(v);
-        blocks_.push_back({3 * at, data_.contacts.stiffness(v)});
+        const Vector3 free = free_axes_.segment<3>(3 * at);
+        blocks_.push_back({3 * at, free.asDiagonal() * data_.contacts.stiffness(v) * free.asDiagonal()});
       }
     system_.drop_held(residual);
     factorise(diagonal);
@@ -145,6 +148,7 @@ class NewtonStep final : public ImplicitStep<double> {
 
   ElasticSystem system_;
   Positions positions_;  // #P by 3, m, in world coordinates
+  VectorXd free_axes_;   // 0 for held coordinates, 1 for all other unknowns
   double size_;          // m
   VectorXd multipliers_;
   std::vector<DiagonalBlock> blocks_;  // of contacts

@@ -317,24 +317,15 @@ class PbdStep final : public TimeStep<Real> {
                            forward_.back().statistics});
     }
     if (!strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
-    if (!this->held_.empty()) add_pass(after_sweep_, "hold", [this](auto&) { hold(); });
     std::reverse(backward_.begin(), backward_.end());
     add_on_positions(after_sweep_, {Stage::project, Stage::contact});
+    if (!this->held_.empty()) add_pass(after_sweep_, "hold", [this](auto&) { hold(); });
     add_pass(after_, "update", [this](auto& c) { update(c.substep); });
     add_effects(after_, Stage::velocity);
   }
 
   // Moves held vertices back along their held axes.
-  void hold() {
-    if (on_moves_) return this->drop_held(data_.moved);
-    for (const auto& held : this->held_) {
-      Vector3Of<Real> x = state_.position[held.point].vector();
-      const Vector3Of<Real> before = state_.previous[held.point].vector();
-      for (int axis = 0; axis < 3; ++axis)
-        if (held.axes[static_cast<std::size_t>(axis)]) x(axis) = before(axis);
-      state_.position[held.point].set(x);
-    }
-  }
+  void hold() { on_moves_ ? this->drop_held(data_.moved) : this->hold_axes(); }
 
   // A batch without constraints gets no pass.
   template <class Batch>
