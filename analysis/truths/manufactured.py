@@ -23,8 +23,8 @@ SIDE = 1.0  # m, the rest shape is the square [0, 1]²
 
 
 def pose(x, y):
-    """(3, …) positions in m: bent by up to 0.04 m, and strained by up to a few percent. At the border the sheet
-    is not bent, because a free border has no moment."""
+    """(3, …) positions in m: bent by up to 0.04 m, and strained by up to a few percent. At the border the
+    sheet is not bent, because a free border has no moment."""
     height = 0.04 * (np.sin(np.pi * x) * np.sin(np.pi * y))**3
     return np.array([x - 0.01 * np.sin(np.pi * x) * y, y + 0.008 * x * x * np.cos(np.pi * y), height])
 

@@ -62,6 +62,8 @@ def rows():
     truth, found = exact(), []
     for family in FAMILIES:
         for model in MODELS:
+            if model == "dkt" and family != "alternating":
+                continue  # to save time
             meshes = CELLS_DKT if model == "dkt" else CELLS
             on_meshes = [works(model, family, cells) for cells in meshes]
             # Bending does next to no work on displacements along the sheet.
