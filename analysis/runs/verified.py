@@ -21,9 +21,12 @@ ORDERS = {"mid_edge": 2.0, "dkt": 2.0}
 
 
 def runs_of(results, section, *configs):
-    """Complete runs of configs/verification/<config>.json, without static runs whose forces are not balanced.
-    The section names the runs that are left out."""
-    runs, is_balanced = [], lambda run: run.summary.get("unbalanced", 0) <= UNBALANCED
+    """Complete runs of configs/verification/<config>.json, without static runs whose forces are not balanced,
+    and without runs that had to come to rest, but did not. The section names the runs that are left out."""
+    def is_balanced(run):
+        return (run.summary.get("unbalanced", 0) <= UNBALANCED
+                and (run.get("/settled_speed", 0) == 0 or "settled_at" in run.summary))
+    runs = []
     for config in configs:
         complete = complete_runs(section, load_experiment(results, f"verification/{config}"))
         leave_out(section, [run for run in complete if not is_balanced(run)], "found no equilibrium")

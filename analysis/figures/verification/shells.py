@@ -55,7 +55,7 @@ def end_shear(results, section):
 
 
 def end_moment(results, section):
-    runs = verified.runs_of(results, section, "end_moment", "end_moment_hinges")
+    runs = verified.runs_of(results, section, "end_moment")
     whole = shells.ROLLED.loads[0].size
     rows = []
     for share in (0.25, 0.5, 1.0):
