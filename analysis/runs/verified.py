@@ -24,8 +24,9 @@ def runs_of(results, section, *configs):
     """Complete runs of configs/verification/<config>.json, without static runs whose forces are not balanced,
     and without runs that had to come to rest, but did not. The section names the runs that are left out."""
     def is_balanced(run):
-        return (run.summary.get("unbalanced", 0) <= UNBALANCED
-                and (run.get("/settled_speed", 0) == 0 or "settled_at" in run.summary))
+        if "settled_at" in run.summary:  # forces balance up to the rounding of positions, or nothing moves
+            return True
+        return run.get("/settled_speed", 0) == 0 and run.summary.get("unbalanced", 0) <= UNBALANCED
     runs = []
     for config in configs:
         complete = complete_runs(section, load_experiment(results, f"verification/{config}"))

@@ -30,11 +30,12 @@ def main(results, out, section):
         ("width", "width over length"), "cells", ("over", "Γ / Γ* of theory", ".3f"),
         ("squared", "(deflection / L)²", "", "10⁻⁴")], charted)
     near = [row["finest"] for row in rows]
-    title = (f"With mid-edge bending, strips buckle at {100 * min(near):.1f} to {100 * max(near):.1f} % of "
+    title = (f"With mid_edge, strips buckle at {100 * min(near):.1f} to {100 * max(near):.1f} % of "
              "the load of plate theory" if near else "Lateral buckling")
-    section.add_chart("deflections", title, "over", ["squared"], ["width", "cells"], scale="linear",
-                      y_scale="linear", note="The squared deflection of the farthest vertex in static "
-                      "equilibrium. In theory, the deflection is 0 up to Γ / Γ* = 1.")
+    section.add_chart("deflections", title, "over", ["squared"], ["cells"], id="buckling", held=["width"],
+                      scale="linear", y_scale="linear", look="",
+                      note="The squared deflection of the farthest vertex in static equilibrium. In theory, "
+                           "the deflection is 0 up to Γ / Γ* = 1.")
     wrinkles(results, section)
 
 

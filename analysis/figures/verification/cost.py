@@ -14,7 +14,7 @@ def main(results, out, section):
     section.tables = [levels_table(levels), table("fronts", "The front (the best runs) of each model", [
         ("scene", "mesh"), "model", "settings", "ms", "error_physical"], fronts)]
     section.add_chart("fronts", "Error against time: a strip of 12 cells that falls and comes to rest", "ms",
-                      ["error_physical"], ["model"], held=["scene"], y_scale="log",
+                      ["error_physical"], ["model"], id="cost", held=["scene"], y_scale="log",
                       note="Each curve is the front of a model: the runs for which no other run of the model "
                            "has less time and a smaller error.")
     for family, own in meshes.items():

@@ -29,4 +29,4 @@ def main(results, out, section):
     section.add_table("angles", "", ["model", ("angle", "angle of the crease", "", "degrees"),
                                      ("energy", "energy over B")], charted)
     section.add_chart("angles", "Energy of a sharp crease on the finest mesh", "angle", ["energy"],
-                      scale="linear")
+                      id="creases", scale="linear")

@@ -25,7 +25,7 @@ def main(results, out, section):
                                                                    "%")],
                       [{**row, "loop": f"{row['loop']}, {row['quantity']}"} for row in rows])
     section.add_chart("errors", "Hanging loops: error of height and width on 80 cells", "loop", ["off"],
-                      ["model"], scale="band", joined=False, y_scale="linear",
+                      ["model"], id="loops", scale="band", joined=False, y_scale="linear",
                       limits=[("off", 0, "elastica")])
     moebius_strips(results, section)
 

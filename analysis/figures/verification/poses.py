@@ -42,7 +42,7 @@ def main(results, out, section):
              f"error on the finest meshes is {max(abs(row['off']) for row in mid):.1f} %"
              if mid else "Bending energies of poses")
     section.add_chart("meshes", "Bending energy of a pose over its closed form", "h", ["ratio", "error"],
-                      ["model"], held=["pose", "family"], at="half-cylinder", y_scale="linear",
+                      ["model"], id="poses", held=["pose", "family"], at="half-cylinder", y_scale="linear",
                       limits=[("ratio", 1, "closed form")])
     section.text += " " + title + "."
     weights(section, rows)

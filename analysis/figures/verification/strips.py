@@ -33,10 +33,11 @@ def main(results, out, section):
     frequencies(results, section)
     mid = [abs(row["off"]) for row in rows
            if row["model"] == "mid_edge" and row["deflection"] == "small deflection"]
-    title = (f"Bent a little, strips with mid-edge bending have the stated rigidity within {max(mid):.2f} %"
+    title = (f"Bent a little, strips with mid_edge have the stated rigidity within {max(mid):.2f} %"
              if mid else "Rigidity of strips")
-    section.add_chart("cells", title, "cells", ["share"], held=["deflection", "family"], scale="log2",
-                      at="small deflection", y_scale="linear", limits=[("share", 1, "as stated")])
+    section.add_chart("cells", title, "cells", ["share"], id="strips",
+                      held=["deflection", "family"], scale="log2", at="small deflection",
+                      y_scale="linear", limits=[("share", 1, "as stated")])
 
 
 def frequencies(results, section):

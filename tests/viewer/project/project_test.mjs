@@ -8,7 +8,7 @@ if (!usable()) process.exit(77);
 const { axisScale } = await import("../../../analysis/viewer/src/charts/scales.js"); // needs the npm packages
 const [results, folder, shots] = process.argv.slice(2);
 const only = process.env.BENDLAB_VIEWER_TEST; // part of the name of a test
-const PAGES = ["", "paper/", "stiffness/", "accuracy/", "stability/", "performance/", "plain/"];
+const PAGES = ["", "paper/", "verification/", "stiffness/", "accuracy/", "stability/", "performance/", "plain/"];
 const runs = JSON.parse(readFileSync(`${results}/accuracy/summary.json`, "utf8"));
 
 async function withPage(name, how, use, address = "") {
