@@ -6,9 +6,7 @@ POISSON = 0.3
 # Config → (name, energy over B by ν, further configs). laplacian has ν = 1, whatever the scene states.
 POSES = {"half_cylinder": ("half-cylinder", surfaces.half_cylinder, ["half_cylinder_dkt"]),
          "rest_curved": ("half-cylinder from the other half-cylinder",
-                         lambda nu: surfaces.rest_curved_cylinder(
-                             nu, surfaces.CYLINDER["radius"], surfaces.CYLINDER["radius"] * 3.141592653589793,
-                             same_side=True), []),
+                         lambda nu: surfaces.rest_curved_cylinder(nu, same_side=True), []),
          "sphere": ("sphere from flat", surfaces.sphere, []),
          "half_torus": ("half torus from flat", surfaces.half_torus, []),
          "helix": ("developable helix", surfaces.helix, [])}
@@ -42,7 +40,7 @@ def main(results, out, section):
              f"error on the finest meshes is {max(abs(row['off']) for row in mid):.1f} %"
              if mid else "Bending energies of poses")
     section.add_chart("meshes", "Bending energy of a pose over its closed form", "h", ["ratio", "error"],
-                      ["model"], id="poses", held=["pose", "family"], at="half-cylinder", y_scale="linear",
+                      ["model"], id="poses", held=["pose", "family"], at="half-cylinder", y_scale="log",
                       limits=[("ratio", 1, "closed form")])
     section.text += " " + title + "."
     weights(section, rows)
