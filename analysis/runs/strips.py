@@ -11,6 +11,7 @@ from tables.section import Check
 GRAVITY = 9.81  # m/s², as in the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
               "both": "grid, both diagonals", "delaunay": "delaunay"}
+NOTICEABLE = 1e-3  # of the length; a strip with a larger deflection has buckled
 UNBALANCED = 0.005  # share of the loads; a static run with a larger unbalanced force is no equilibrium
 
 
@@ -213,3 +214,13 @@ def exponent_check(name, runs, expected, source):
 def as_stated(*columns):
     """Lines at 1 in a chart of these columns: 1 means that the stiffness is as stated."""
     return [(column, 1, "as stated") for column in columns]
+
+
+def threshold(points):
+    """The load at which a line through the two smallest noticeable squared deflections is zero; NaN without
+    two. `points`: (load, deflection over length)."""
+    squares = sorted((load, deflection**2) for load, deflection in points if deflection > NOTICEABLE)[:2]
+    if len(squares) < 2:
+        return np.nan
+    (low, small), (high, large) = squares
+    return low - small * (high - low) / (large - small)

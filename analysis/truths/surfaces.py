@@ -27,7 +27,7 @@ HELIX = {"radius": 0.02, "pitch": 0.1, "reach": 0.1}
 def energy(pose, ranges, poisson, rest=None, count=POINTS):
     """∫ density dA / D. `pose`, `rest`: functions (u, v) → (3, …) positions; `ranges`: ((u₀, u₁), (v₀, v₁));
     without `rest` the rest shape has b₀ = 0. Normals are ∂u × ∂v."""
-    nodes, weights, slope = _rule(count)
+    nodes, weights, slope = spectral_rule(count)
     (u0, u1), (v0, v1) = ranges
     u, v = np.meshgrid(u0 + (u1 - u0) * nodes, v0 + (v1 - v0) * nodes, indexing="ij")
     slopes = (slope / (u1 - u0), slope / (v1 - v0))
@@ -41,7 +41,7 @@ def energy(pose, ranges, poisson, rest=None, count=POINTS):
     return float(weights @ (density * area) @ weights) * (u1 - u0) * (v1 - v0)
 
 
-def _rule(count):
+def spectral_rule(count):
     """Gauss points and weights of [0, 1], and the matrix of derivatives at these points."""
     gauss, weights = np.polynomial.legendre.leggauss(count)
     nodes, chebyshev = (gauss + 1) / 2, points(count - 1)

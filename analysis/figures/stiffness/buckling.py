@@ -15,7 +15,6 @@ CRITICAL = {"hinges": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.3
             "springs that push": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
 POISSON = {"hinges": "−1/3", "springs that push": "1/3"}
 NEAR = 1.1  # times the critical load; above this load the linear theory is not exact
-NOTICEABLE = 1e-3  # of the length; a sheet with a larger deflection has buckled
 pull = lambda run: strips.gravity(run, axis=1)  # in the strip's plane, in m/s²
 
 
@@ -84,10 +83,5 @@ def deflection(run):
 
 
 def critical_load(runs):
-    """Γ where a line through the two smallest noticeable squared deflections is zero; NaN without two."""
-    points = sorted((load_number(run), deflection(run)**2) for run in runs)
-    points = [point for point in points if point[1] > NOTICEABLE**2][:2]
-    if len(points) < 2:
-        return np.nan
-    (low, small), (high, large) = points
-    return low - small * (high - low) / (large - small)
+    """Γ at which these runs begin to buckle; NaN if that is not known."""
+    return strips.threshold([(load_number(run), deflection(run)) for run in runs])

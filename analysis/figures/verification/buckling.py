@@ -2,11 +2,10 @@
 import numpy as np
 
 from bendlab.results.load import group
-from runs import verified
+from runs import strips, verified
 from truths import buckling
 
 WIDTHS = {"buckling_1": 0.1, "buckling_3": 0.3, "buckling_5": 0.5, "buckling_9": 0.9}  # over the length
-NOTICEABLE = 1e-3  # of the length; a strip with a larger deflection has buckled
 WAVELESS = 5e-4  # of the width of a sheet; a smaller amplitude is no wrinkle
 cells = lambda run: run.get("/mesh/cells") - 1  # without the row of the clamp
 
@@ -17,25 +16,24 @@ def main(results, out, section):
         runs = verified.runs_of(results, section, config)
         for (model, family), own in verified.by_model_and_family(runs).items():
             truth = buckling.plate_load(width, own[0].get("/material/poisson_ratio"))
-            meshes = [{"h": 1 / number, "value": critical_load(at), "run": at[0]}
+            meshes = [{"h": 1 / number,
+                       "value": strips.threshold([(load(run), deflection(run)) for run in at])}
                       for number, at in sorted(group(own, cells).items())]
             made = verified.of_rows(meshes, truth, verified.ORDERS.get(own[0].model))
             rows.append({"width": width, "model": model, "family": family, "truth": truth} | made.cells())
-            charted += [{"width": width, "cells": cells(run), "over": load(run) / truth,
-                         "squared": 1e4 * deflection(run)**2} for run in own]
+            charted += [{"width": width, "cells": round(1 / mesh["h"]), "over": mesh["value"] / truth}
+                        for mesh in meshes]
     section.add_table("buckling", "Critical load Γ* = ρ g L³ / B of an upright strip (ν = 0.3)", [
         ("width", "width over length"), "model", ("family", "mesh"), ("truth", "plate theory", ".3f"),
         *verified.columns()], rows)
-    section.add_table("deflections", "", [
-        ("width", "width over length"), "cells", ("over", "Γ / Γ* of theory", ".3f"),
-        ("squared", "(deflection / L)²", "", "10⁻⁴")], charted)
+    section.add_table("loads", "", [("width", "width over length"), ("cells", "cells along the strip"),
+                                    ("over", "Γ* found over Γ* of theory", ".3f")], charted)
     near = [row["finest"] for row in rows]
     title = (f"With mid_edge, strips buckle at {100 * min(near):.1f} to {100 * max(near):.1f} % of "
              "the load of plate theory" if near else "Lateral buckling")
-    section.add_chart("deflections", title, "over", ["squared"], ["cells"], id="buckling", held=["width"],
-                      scale="linear", y_scale="linear", look="",
-                      note="The squared deflection of the farthest vertex in static equilibrium. In theory, "
-                           "the deflection is 0 up to Γ / Γ* = 1.")
+    section.add_chart("loads", title, "cells", ["over"], ["width"], id="buckling", scale="log2",
+                      y_scale="linear", look="", limits=[("over", 1, "plate theory")],
+                      note="Γ* is where a line through the two smallest squared deflections is zero.")
     wrinkles(results, section)
 
 
@@ -52,16 +50,6 @@ def load(run):
 def deflection(run):
     """Largest distance of a vertex from the plane at the start, over the strip's length."""
     return float(np.abs(run.positions(-1)[:, 2]).max() / _length(run))
-
-
-def critical_load(runs):
-    """Γ where a line through the two smallest noticeable squared deflections is zero; NaN without two."""
-    points = sorted((load(run), deflection(run)**2) for run in runs)
-    points = [point for point in points if point[1] > NOTICEABLE**2][:2]
-    if len(points) < 2:
-        return np.nan
-    (low, small), (high, large) = points
-    return low - small * (high - low) / (large - small)
 
 
 def wrinkles(results, section):

@@ -2,9 +2,10 @@
 import numpy as np
 
 from runs import verified
+from truths.cantilevers import CLAMPED_FREE
 
 GIVEN = {"strip_small": 1e-3, "strip_large": 1e-4}  # N m
-FIRST, SECOND = 1.8751040687, 4.6940911330  # solutions of cos k cosh k = -1, of a clamped beam
+FIRST, SECOND = CLAMPED_FREE[:2]
 NEAR = 0.01  # of the stated rigidity: what the verification asks of mid-edge on the finest mesh
 found = lambda run: run.summary.get("stiffness_flexural_rigidity", float("nan"))
 load = lambda run: -run.get("/effects/0/acceleration")[2]

@@ -262,11 +262,12 @@ BendingConstraints bending_constraints(const Bending& bending, double poisson_ra
   return constraints;
 }
 
-void check_own_elements(const SimulationInput& input) {
+void check_own_elements(const SimulationInput& input, const BendingKind& model) {
   if (input.own.size() == 0 || input.method.kind().takes_own_elements) return;
   std::vector<std::string_view> able;
   for (const MethodKind* method : methods())
-    if (method->takes_own_elements) able.push_back(method->name);
+    if (method->takes_own_elements && !(model.needs_energy && method->needs_compliance.empty()))
+      able.push_back(method->name);
   throw ConfigError(
       "solver method",
       {{"/solver/method",
@@ -462,7 +463,7 @@ BuiltScene build_scene(const Scene& stated) {
   input.elements = std::move(bending.elements);
   input.own = std::move(bending.own);
   input.directors = std::move(bending.directors);
-  check_own_elements(input);
+  check_own_elements(input, stated.bending.model.kind());
   check_held(input);
   if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);
   input.moves_apart = !rounding_speed(scene).whole_suffices();
