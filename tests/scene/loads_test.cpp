@@ -50,8 +50,8 @@ TEST_CASE("a load adds its force to the momentum, however it is spread", "[scene
 }
 
 TEST_CASE("a load is spread equally, by length or by area", "[scene]") {
-  // The right side has 4 cells, so 5 vertices. A corner has half the length of an inner vertex, and masses are
-  // in proportion to areas. The cloth is so soft that its forces are below 1e-6 of the load.
+  // The right side has 4 cells, so 5 vertices. A corner has half the length of an inner vertex, and masses
+  // are in proportion to areas. The cloth is so soft that its forces are below 1e-6 of the load.
   for (const Load::Spread spread : {Load::Spread::equal, Load::Spread::length, Load::Spread::area}) {
     Scene scene = free_sheet(Load{.vertices = {Place::right}, .force = {0, 0, 1}, .spread = spread});
     scene.material.strain.membrane_stiffness = 1e-6, scene.bending.flexural_rigidity = 1e-12;
