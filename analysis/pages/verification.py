@@ -52,8 +52,9 @@ FIGURES = [
            "makes the sheet too stiff (locking). The table shows by how much, for soft and stiff membranes "
            "and two forms of strain."),
     Figure(loops, "Loops and a Möbius strip", "Loops",
-           "A strip whose ends are held together hangs as a ring, a heart or a pear, as in Peirce's tests "
-           "(formulas: Plaut 2015, doi 10.1177/0040517514553877). The truth is the heavy elastica. The "
+           "A strip whose ends are held together hangs as a ring, a heart or a pear, as in Peirce's tests. "
+           "'Standing' is a ring that stands on a plane, and 'fold' a strip that is folded back over itself "
+           "on a plane (Plaut 2015, doi 10.1177/0040517514553877). The truth is the heavy elastica. The "
            "energy of a Möbius strip that does not stretch approaches Sadowsky's value as the width goes "
            "to 0. A strip of finite width has more energy, so these rows have no verdict."),
     Figure(shells, "Shells under loads", "Shells",

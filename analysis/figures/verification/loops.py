@@ -1,41 +1,57 @@
-"""Loops of textile tests against the heavy elastica, and a Möbius strip against Sadowsky's limit."""
+"""Loops and folds of textile tests against the heavy elastica, and a Möbius strip against Sadowsky's limit."""
 import numpy as np
 
 from runs import verified
 from truths import moebius, strips
 
-SIZE = 4.0  # length between the clamps over (B/ρ g)^(1/3)
+SIZE = 4.0  # length of a loop between its clamps over (B/ρ g)^(1/3)
 MESHES = (20, 40, 80)
-kind = lambda run: run.get("/initial/file").rpartition("/")[2].partition("_")[0]
+
+
+def loop(run):
+    """The name of a run's loop."""
+    if run.name.startswith("verification_loops"):
+        return run.get("/initial/file").rpartition("/")[2].partition("_")[0]
+    return run.name.split("_")[1]
+
+
+def truth_of(name):
+    """The strip, and its length over (B/ρ g)^(1/3)."""
+    if name == "fold":
+        strip = strips.free_fold()
+        return strip, strip.s[-1]
+    return strips.standing_ring(SIZE) if name == "standing" else strips.hanging_loop(name, SIZE), SIZE
 
 
 def main(results, out, section):
-    runs = verified.runs_of(results, section, *(f"loops_{cells}" for cells in MESHES))
+    runs = verified.runs_of(results, section, *(f"{kind}_{cells}" for kind in ("loops", "standing", "fold")
+                                                for cells in MESHES))
     rows = []
-    for (model, family, name), own in verified.by_model_and_family(runs, kind).items():
-        truth = strips.hanging_loop(name, SIZE)
+    for (model, family, name), own in verified.by_model_and_family(runs, loop).items():
+        truth, length = truth_of(name)
         for quantity, axis, expected in (("height", 2, truth.height), ("width", 0, truth.width)):
-            made = verified.converging(own, lambda run, axis=axis: extent(run)[axis], expected)
+            made = verified.converging(own, lambda run, axis=axis: extent(run, length)[axis], expected)
             rows.append({"loop": name, "quantity": quantity, "model": model, "family": family,
                          "truth": expected} | made.cells())
-    section.add_table("loops", "Height and width of a hanging loop of the length 4 (B/ρ g)^(1/3)", [
+    section.add_table("loops", "Height and width of strips that hang, stand or are folded. Loops are "
+                      f"{SIZE:g} (B/ρ g)^(1/3) long", [
         "loop", "quantity", "model", ("family", "mesh"),
         ("truth", "expected, in (B/ρ g)^(1/3)", ".6f"), *verified.columns()], rows)
     section.add_table("errors", "", ["loop", "quantity", "model", ("off", "error on the finest mesh", "+.2f",
                                                                    "%")],
                       [{**row, "loop": f"{row['loop']}, {row['quantity']}"} for row in rows])
-    section.add_chart("errors", "Hanging loops: error of height and width on 80 cells", "loop", ["off"],
+    section.add_chart("errors", "Error of height and width on 80 cells", "loop", ["off"],
                       ["model"], id="loops", scale="band", joined=False, y_scale="linear",
                       limits=[("off", 0, "elastica")])
     moebius_strips(results, section)
 
 
-def extent(run):
-    """(3,) extent of the loop without the rows behind its clamps, over (B/ρ g)^(1/3)."""
+def extent(run, length):
+    """(3,) extent of the strip without the rows behind its clamps, over (B/ρ g)^(1/3)."""
     rest = run.rest_positions[:, 0]
     step = np.ptp(rest) / run.get("/mesh/cells")
-    loop = (rest > rest.min() + step / 2) & (rest < rest.max() - step / 2)
-    return np.ptp(run.positions(-1)[loop], axis=0) * SIZE / (np.ptp(rest) - 2 * step)
+    inside = (rest > rest.min() + step / 2) & (rest < rest.max() - step / 2)
+    return np.ptp(run.positions(-1)[inside], axis=0) * length / np.ptp(rest[inside])
 
 
 def moebius_strips(results, section):

@@ -1,5 +1,5 @@
-"""Writes the start poses of loops_*.json and moebius_*.json: grids with alternating diagonals that are rolled
-to loops without weight, or to a Möbius strip of vanishing width."""
+"""Writes the start poses of loops_*.json, fold_*.json and moebius_*.json: grids with alternating diagonals that
+are rolled to loops without weight, folded back, or rolled to a Möbius strip of vanishing width."""
 import sys
 from pathlib import Path
 
@@ -14,6 +14,7 @@ LENGTH = 0.2  # m, between the clamps
 SIZE = 4.0  # of the loops, length over (B/ρ g)^(1/3)
 LOOPS = {"ring": (20, 40, 80), "heart": (20, 40, 80), "pear": (20, 40, 80)}
 ACROSS = 2  # cells across a loop
+FOLDS = (20, 40, 80)
 MOEBIUS = {0.1: (40, 80, 160), 0.025: (40, 80, 160)}  # width over length → cells along the strip
 
 
@@ -47,6 +48,21 @@ def loop(kind, cells):
     write(f"{kind}_{cells}", middle + across[:, None, None] * np.array([0, 1, 0]))
 
 
+def fold(cells):
+    """A strip that turns back over itself. Only its ends are those of the folded heavy elastica."""
+    exact = strips.free_fold()
+    t = np.linspace(0, 1, 20 * cells + 1)
+    angle = np.pi * (3 * t**2 - 2 * t**3) + 1.2 * np.sin(np.pi * t)**2 * t
+    integral = lambda f: np.concatenate([[0], np.cumsum((f[1:] + f[:-1]) / 2)]) / (len(t) - 1)
+    x, z = integral(np.cos(angle)), integral(np.sin(angle))
+    x += t * (exact.x[-1] / exact.s[-1] - x[-1])
+    middle = LENGTH * np.array([x, 0 * x, z - t * z[-1]]).T[::20]
+    step = LENGTH / cells
+    middle = np.concatenate([middle[:1] - [[step, 0, 0]], middle, middle[-1:] - [[step, 0, 0]]])
+    across = step * (np.arange(ACROSS + 1) - ACROSS / 2)
+    write(f"fold_{cells}", middle + across[:, None, None] * np.array([0, 1, 0]))
+
+
 def moebius_strip(width, cells):
     line = moebius.midline()
     turn = np.array([[-1], [1], [-1]])  # half a turn about the axis of symmetry
@@ -67,6 +83,8 @@ if __name__ == "__main__":
     for kind, meshes in LOOPS.items():
         for cells in meshes:
             loop(kind, cells)
+    for cells in FOLDS:
+        fold(cells)
     for width, meshes in MOEBIUS.items():
         for cells in meshes:
             moebius_strip(width, cells)
