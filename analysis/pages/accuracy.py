@@ -14,7 +14,7 @@ FIGURES = [
     Figure(fronts, "Error against time", "Error and time",
            "A sheet of 40 cm hangs at two pins, and a strip of 8 cm is clamped at one end. All models have "
            "the same stated cloth (B = 5·10⁻⁵ N m, 0.2 kg/m²). The physical error is the distance to a "
-           "reference for this cloth: a static equilibrium of calibrated hinges on finer cells (96 for the "
+           "reference for this cloth: a static equilibrium of mid_edge on finer cells (96 for the "
            "curtain; 194 for the cantilever, clamped at the same place as the strip of 12 cells). Errors are "
            "not known if they are smaller than the distance between this reference and a reference on half "
            "as many cells. The solver error is the distance to the equilibrium of the model's own energies "

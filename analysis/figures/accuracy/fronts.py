@@ -30,7 +30,10 @@ def main(results, out, section):
     for scene, (stated, paper) in scenes.items():
         levels += levels_rows(stated, scene, "physical", PHYSICAL)
         for model, own_runs in by_model(stated).items():
-            fronts += front_rows(own_runs, scene=scene, curve=name_of(model))
+            for method in sorted({run.method for run in own_runs}):
+                curve = name_of(model) if method == "pbd" else f"{name_of(model)}, {method}"
+                fronts += front_rows([run for run in own_runs if run.method == method],
+                                     scene=scene, curve=curve)
         fronts += [row(run) | {"scene": scene, "curve": f"{name_of(run.model)}, the paper's setting"}
                    for run in paper if np.isfinite(error(run))]
         if scene in SCENES:

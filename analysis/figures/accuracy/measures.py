@@ -12,8 +12,10 @@ from tables.numbers import finite, number, rounded
 from tables.table import Column, Table
 
 LEVELS = (20, 5, 1)  # target errors in %; tables state the least time to reach each of these
-FRONTS = (("front", "front_slow", "front_work_slow"),  # configs of the curtain, and configs of the cantilever
-          ("front_cantilever", "front_cantilever_slow", "front_cantilever_work_slow"))
+# Configs of the curtain, and configs of the cantilever
+FRONTS = (("front", "front_slow", "front_work_slow", "front_quasi_newton_slow"),
+          ("front_cantilever", "front_cantilever_slow", "front_cantilever_work_slow",
+           "front_cantilever_quasi_newton_slow"))
 FRAMES_PER_SECOND = 60  # a frame is 1/60 s of simulated time
 UNBALANCED = 1e-3  # of the loads; a reference with larger unbalanced forces is no equilibrium
 MEANING = {
@@ -134,6 +136,8 @@ def settings(run):
         return run.method
     sweep = " symmetric" if run.get("/solver/sweep") == "symmetric" else ""
     text = f"{work(run)}{sweep}, {run.get('/solver/precision')}"
+    if run.method != "pbd":
+        text = f"{run.method} {text}"
     if flight_limit := run.get("/solver/flight_limit"):
         text += f", flight_limit {flight_limit:g}"
     by_k = run.get("/bending/stiffness") == "k" and run.model != "none"
