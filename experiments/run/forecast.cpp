@@ -52,6 +52,9 @@ constexpr double frame_per_triangle = 1.2e-7;
 constexpr double vertex = 8e-9;              // in a substep, besides the effects
 constexpr double number = 1e-9;              // a projection, per number that the constraint keeps
 constexpr double factor_of_blocks = 3.2e-7;  // per vertex, times √V
+// To find the Hessian of a constraint: per square of the count of numbers that it keeps. `own`: an element that
+// is evaluated once, per corner.
+constexpr double hessian = 8e-8, own = 3.5e-6;
 }  // namespace seconds
 
 struct Parts {
@@ -148,15 +151,20 @@ double set_up_seconds(const Scene& scene, const RunSize& size) {
 }
 
 double solver_seconds(const Scene& scene, const RunSize& size) {
-  constexpr double strain_numbers = 7, equilibrium_iterations = 20;
+  constexpr double strain_numbers = 7, equilibrium_iterations = 30, coordinates = 18;
   const MethodKind& method = scene.solver.method.kind();
   const double substeps = static_cast<double>(step_count(scene)) * substeps_of(scene.solver);
   const double iterations =
       method.has_motion ? substeps * iterations_of(scene.solver) : equilibrium_iterations;
+  const double of_hessian =
+      size.constraints > 0 ? seconds::hessian * size.numbers * size.numbers / size.constraints : 0;
+  // The Hessian of an own element comes from its gradients at two places along each coordinate.
   const double iteration =
       method.factorised == Factorised::blocks
-          ? seconds::factor_of_blocks * size.vertices * std::sqrt(size.vertices) * fill(size)
-          : method.cost * seconds::number * (size.triangles * strain_numbers + size.numbers);
+          ? seconds::factor_of_blocks * size.vertices * std::sqrt(size.vertices) * fill(size) + of_hessian +
+                2 * coordinates * seconds::own * size.own
+          : method.cost * seconds::number * (size.triangles * strain_numbers + size.numbers) +
+                seconds::own * size.own;
   double vertex = seconds::vertex;
   for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;
   return substeps * size.vertices * vertex + iterations * iteration;

@@ -78,6 +78,7 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
       add(vertices, sizeof(vertices) + sizeof(list.rest[0]) + sizeof(double),
           Kind::arity + Kind::rest_values + 2);  // softness, multiplier
   });
+  size.own = whole * whole * static_cast<double>(built.own.size() * built.own.arity);
   for (std::size_t c = 0; c < built.own.size(); ++c)
     add(built.own.corners(c), built.own.arity * sizeof(int) + sizeof(double), built.own.arity + 2);
   if (size.pairs > 0) size.reach /= size.pairs;
@@ -99,7 +100,7 @@ RunSize size_of(const Scene& scene, Mesh mesh) {
   // all counts. In the whole mesh, the border has a smaller share than in the patch.
   if (smaller)
     for (double RunSize::*amount : {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints,
-                                    &RunSize::pairs, &RunSize::list_bytes, &RunSize::numbers})
+                                    &RunSize::pairs, &RunSize::list_bytes, &RunSize::own, &RunSize::numbers})
       *size.*amount += (1 - share) * (*size.*amount - *smaller.*amount);
   return *size;
 }

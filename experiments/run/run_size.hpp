@@ -17,6 +17,7 @@ struct RunSize {
   double pairs = 0;        ///< bending constraints that join two vertices
   double reach = 0;        ///< mean length of these pairs, in mean edge lengths
   double list_bytes = 0;   ///< memory of the constraint lists
+  double own = 0;          ///< corners of elements of dkt, and of elements that a user wrote
   double numbers = 0;      ///< count of indices and rest values that the solver keeps for all constraints
 };
 
