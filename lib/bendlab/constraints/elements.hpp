@@ -24,6 +24,9 @@
 //     static bool is_sum_of_squares(rest, law); // … this is true (absent: always)
 //     template <class Real>                     // C_k and ∇C_k
 //     static ConstraintValue<Real, arity> component(points, rest, law, k);
+//     static constexpr bool linear_components;  // whether every ∇C_k is constant; if not:
+//     template <class Real>                     // Σ C_k times weight k
+//     static ConstraintValue<Real, arity> weighted_components(points, rest, law, weights);
 //
 // The usual energy of a kind is ½ C² / α. A OneSided kind has another energy, which is 0 for C ≥ 0; k and
 // damping act only if C < 0. A OneSided kind defines functions that follow from ½ C² / α for other kinds:

@@ -37,6 +37,7 @@ struct FaceBend {
   /// the corners in this order, so what a kernel writes for v_i replaces what it wrote for o_i.
   static constexpr std::size_t arity = 6 + director_count;
   static constexpr std::size_t components = 3;  ///< of U (u - u_rest)
+  static constexpr bool linear_components = false;
   /// a_0 to a_2; u_rest in m; U_00, U_01, U_02, U_11, U_12, U_22 in 1/m; a length of the triangle, m; b, 1/m.
   static constexpr std::size_t rest_values = 13 + director_count;
   static constexpr double padding = 0;  ///< rest values of lanes without a constraint
@@ -75,7 +76,15 @@ struct FaceBend {
   /// C_k = Σ U_ki (u_i - u_rest,i): a part of the energy, ½ D C_k², with a gradient also where C_k is 0.
   template <class Real>
   static ConstraintValue<Real, arity> component(const Points<Real>& p, const Rest<Real>& rest, Law law,
-                                                std::size_t k);
+                                                std::size_t k) {
+    std::array<Real, components> weights{};
+    weights[k] = 1;
+    return weighted_components(p, rest, law, weights);
+  }
+  /// Σ C_k times weight k.
+  template <class Real>
+  static ConstraintValue<Real, arity> weighted_components(const Points<Real>& p, const Rest<Real>& rest,
+                                                          Law law, const std::array<Real, 3>& weights);
 
   /// C = |U (u - u_rest)|, so that ½ D C² is the whole energy. The gradient of an element at rest is 0.
   template <class Real>
@@ -185,17 +194,17 @@ void FaceBend<N>::add_gradient(std::array<Vector3Of<Real>, arity>& gradient, con
 
 template <std::size_t N>
 template <class Real>
-ConstraintValue<Real, FaceBend<N>::arity> FaceBend<N>::component(const Points<Real>& p,
-                                                                 const Rest<Real>& rest, Law law,
-                                                                 std::size_t k) {
+ConstraintValue<Real, FaceBend<N>::arity> FaceBend<N>::weighted_components(
+    const Points<Real>& p, const Rest<Real>& rest, Law law, const std::array<Real, 3>& weights) {
   const Turns<Real> turns = all_turns<Real>(p, rest, law);
   ConstraintValue<Real, arity> c;
   for (Vector3Of<Real>& gradient : c.gradient) gradient.setZero();
   c.defined = turns.defined;
-  for (std::size_t i = k; turns.defined && i < 3; ++i) {
-    const Real weight = rest[detail::upper(k, i)];
-    c.value += weight * turns.beyond_rest[i];
-    add_gradient<Real>(c.gradient, turns.edge[i], i, weight);
+  for (std::size_t i = 0; turns.defined && i < 3; ++i) {
+    Real factor = 0;
+    for (std::size_t k = 0; k <= i; ++k) factor += weights[k] * rest[detail::upper(k, i)];
+    c.value += factor * turns.beyond_rest[i];
+    add_gradient<Real>(c.gradient, turns.edge[i], i, factor);
   }
   return c;
 }

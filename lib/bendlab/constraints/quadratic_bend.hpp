@@ -40,6 +40,7 @@ struct VertexSum {
   /// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions. C = |Kx| has no
   /// second derivative at 0, that is in flat parts of a sheet.
   static constexpr std::size_t components = 3;
+  static constexpr bool linear_components = true;
   static bool is_sum_of_squares(const std::array<double, N + 2>& rest, Law law) {
     return law == Law::norm && rest[N] <= 1e-9 * rest[N + 1];
   }

@@ -14,6 +14,9 @@ namespace {
 
 template <std::size_t N>
 using Corners = std::array<Vector3, N>;
+template <std::size_t N>
+using Gradient = std::array<Vector3, N>;
+using Slopes = std::array<double, 3>;  // of the components of an element
 
 // ψ and its derivatives at C.
 struct Potential {
@@ -23,6 +26,48 @@ struct Potential {
 Potential quadratic(double c, double alpha) {
   return {0.5 * c * c / alpha, c / alpha, 1 / alpha};
 }
+
+// Refers to a function that outlives the reference.
+template <class Signature>
+class FunctionRef;
+template <class Result, class... Arguments>
+class FunctionRef<Result(Arguments...)> {
+ public:
+  template <class Function>
+  FunctionRef(const Function& function)
+      : function_(&function), call_([](const void* object, Arguments... arguments) -> Result {
+          return (*static_cast<const Function*>(object))(arguments...);
+        }) {}
+  Result operator()(Arguments... arguments) const { return call_(function_, arguments...); }
+
+ private:
+  const void* function_;
+  Result (*call_)(const void*, Arguments...);
+};
+
+// One energy term. The terms of an element with several components follow each other.
+template <std::size_t N>
+struct Term {
+  Eigen::Index index;
+  const std::array<int, N>& vertices;
+  FunctionRef<ConstraintValue<double, N>(const Corners<N>&)> evaluate;  // C and ∇C
+  FunctionRef<Potential(double)> potential;                             // ψ, ψ' and ψ'' at C
+  // The gradient of Σ C_k times slope k, over all components of the element. Null if every ∇C_k is constant.
+  const FunctionRef<Gradient<N>(const Corners<N>&, const Slopes&)>* joint_gradient;
+  std::size_t directors = 0;  // among the corners
+  std::size_t component = 0, components = 1;
+
+  bool is_last() const { return component + 1 == components; }
+};
+
+// A generic function of a term with any number of corners. The code that lists terms calls it by reference,
+// because the compiler would otherwise make this code anew for every such function.
+template <std::size_t... N>
+struct FunctionOfTerms : FunctionRef<void(const Term<N>&)>... {
+  template <class Function>
+  FunctionOfTerms(const Function& function) : FunctionRef<void(const Term<N>&)>(function)... {}
+  using FunctionRef<void(const Term<N>&)>::operator()...;
+};
 
 // ψ of a one-sided kind. For C < 0: the kind's own energy divided by α. For C > 0: a force that falls to 0.
 template <class Kind>
@@ -38,37 +83,59 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
           left > 0 ? -straight / width / alpha : 0};
 }
 
-// ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points a formula is used: C is the
-// distance of the points minus a constant.
-template <std::size_t N, class Evaluate>
-Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, std::size_t directors,
-                                                      const Evaluate& evaluate) {
-  if constexpr (N == 2) {
-    const Vector3 d = p[0] - p[1];
-    const Eigen::Matrix3d across =
-        (Eigen::Matrix3d::Identity() - d * d.transpose() / d.squaredNorm()) / d.norm();
-    Eigen::Matrix<double, 6, 6> result;
-    result << across, -across, -across, across;
-    return result;
+// Matrices of an element, 3N by 3N, are plain numbers row by row: the compiler takes seconds for Eigen's
+// matrices of each size.
+struct ElementMatrix {
+  std::size_t width = 0;  // 3N
+  std::vector<double> numbers;
+
+  double& at(std::size_t row, std::size_t column) { return numbers[row * width + column]; }
+
+  void reset(std::size_t corners) {
+    width = 3 * corners;
+    numbers.assign(width * width, 0.0);
   }
-  Eigen::Matrix<double, 3 * N, 3 * N> result;
+
+  // Adds factor times g gᵀ. `gradient`: 3N numbers.
+  void add_square(const double* gradient, double factor) {
+    for (std::size_t row = 0; row < width; ++row)
+      for (std::size_t column = 0; column < width; ++column)
+        at(row, column) += factor * gradient[row] * gradient[column];
+  }
+};
+
+// Adds the second derivative of C times the slope, if C is the distance of two points minus a constant.
+void add_second_of_distance(ElementMatrix& matrix, const Corners<2>& p, double slope) {
+  const Vector3 d = p[0] - p[1];
+  const Eigen::Matrix3d across =
+      (Eigen::Matrix3d::Identity() - d * d.transpose() / d.squaredNorm()) / d.norm();
+  for (std::size_t row = 0; row < 6; ++row)
+    for (std::size_t column = 0; column < 6; ++column)
+      matrix.at(row, column) += ((row < 3) == (column < 3) ? slope : -slope) *
+                                across(static_cast<int>(row % 3), static_cast<int>(column % 3));
+}
+
+// Adds the second derivative of Σ C_k times slope k, as the central difference of its gradient, made
+// symmetric.
+template <std::size_t N>
+void add_second(ElementMatrix& matrix, Corners<N> p, std::size_t directors, const Slopes& slopes,
+                const FunctionRef<Gradient<N>(const Corners<N>&, const Slopes&)>& gradient) {
   double size = 0;  // two corners may lie in one place
   for (std::size_t i = 1; i < N - directors; ++i) size = std::max(size, (p[i] - p[0]).norm());
   const double step = 1e-6 * size;
-  for (std::size_t i = 0; i < N; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      const double at = p[i](axis);
-      p[i](axis) = at + step;
-      const auto ahead = evaluate(p);
-      p[i](axis) = at - step;
-      const auto behind = evaluate(p);
-      p[i](axis) = at;
-      for (std::size_t j = 0; j < N; ++j)
-        result.template block<3, 1>(static_cast<Eigen::Index>(3 * j),
-                                    static_cast<Eigen::Index>(3 * i) + axis) =
-            (ahead.gradient[j] - behind.gradient[j]) / (2 * step);
+  for (std::size_t column = 0; column < 3 * N; ++column) {
+    double& x = p[column / 3](static_cast<int>(column % 3));
+    const double at = x;
+    x = at + step;
+    const Gradient<N> ahead = gradient(p, slopes);
+    x = at - step;
+    const Gradient<N> behind = gradient(p, slopes);
+    x = at;
+    for (std::size_t row = 0; row < 3 * N; ++row) {
+      const double change = (ahead[0].data()[row] - behind[0].data()[row]) / (4 * step);
+      matrix.at(row, column) += change, matrix.at(column, row) += change;
     }
-  return 0.5 * (result + result.transpose());
+  }
 }
 
 Eigen::MatrixXd without_negative_eigenvalues(const Eigen::MatrixXd& matrix) {
@@ -84,7 +151,24 @@ void require_compliance(StiffnessKind kind, double compliance, const char* what)
         " needs its stiffness as a compliance above 0, because a stiffness given as k has no energy");
 }
 
+// Visits the term of a constraint that has one term.
+template <std::size_t N, class Visit, class Evaluate, class Psi>
+void visit_single(const Visit& visit, Eigen::Index index, const std::array<int, N>& vertices,
+                  const Evaluate& evaluate, const Psi& potential, std::size_t directors = 0) {
+  const auto joint = [&](const Corners<N>& p, const Slopes& slopes) {
+    Gradient<N> gradient = evaluate(p).gradient;
+    for (Vector3& g : gradient) g *= slopes[0];
+    return gradient;
+  };
+  const FunctionRef<Gradient<N>(const Corners<N>&, const Slopes&)> joint_gradient(joint);
+  visit(Term<N>{index, vertices, evaluate, potential, &joint_gradient, directors});
+}
+
 }  // namespace
+
+struct ElasticSystem::Visit : FunctionOfTerms<2, 3, 4, 6, 9, 13> {
+  using FunctionOfTerms::FunctionOfTerms;
+};
 
 ElasticSystem::ElasticSystem(const SimulationInput& input)
     : strain_(input.strain),
@@ -105,14 +189,11 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
         is_held_[static_cast<std::size_t>(3 * free_index_[p] + axis)] = 1;
       }
   first_director_ = input.mass.size(), read_coordinates_ = input.directors.coordinates;
-  for_terms([&](Eigen::Index, const auto&, const auto&, const auto&) { ++energy_terms_; });
+  for_terms([&](const auto&) { ++energy_terms_; });
   energy_terms_ += static_cast<Eigen::Index>(own_.size());
   find_pattern();
 }
 
-// Calls visit(term, vertices, evaluate, potential) for every energy term: evaluate(corners) returns C and ∇C,
-// potential(C) returns ψ, ψ' and ψ''.
-template <class Visit>
 void ElasticSystem::for_terms(const Visit& visit) const {
   Eigen::Index next = 0;
   for (std::size_t t = 0; t < strain_.size(); ++t) strain_terms(t, next, visit);
@@ -122,9 +203,6 @@ void ElasticSystem::for_terms(const Visit& visit) const {
   });
 }
 
-// Calls visit() for the terms of one constraint. `next` is the index of the constraint's first term, and
-// increases by the number of the terms.
-template <class Visit>
 void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const {
   const StrainStiffness& s = strain_stiffness_;
   const double stretch_scale = stretch_softness(s.form);
@@ -133,7 +211,8 @@ void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit&
       strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
   const auto term = [&](double part, double scale, const auto& evaluate) {
     if (part != 0)
-      visit(next++, strain_.vertices[t], evaluate, [&](double c) { return quadratic(c, scale * alpha); });
+      visit_single<3>(visit, next++, strain_.vertices[t], evaluate,
+                      [&](double c) { return quadratic(c, scale * alpha); });
   };
   term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
   term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
@@ -142,41 +221,50 @@ void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit&
     term(s.area, area_softness(s.form, s.area), [&](const Corners<3>& p) { return area_term(p, q, s.form); });
 }
 
-template <class Visit>
 void ElasticSystem::distance_term(std::size_t c, Eigen::Index& next, const Visit& visit) const {
   const double alpha = bending_compliance_ * (distance_.softness.empty() ? 1 : distance_.softness[c]);
-  visit(
-      next++, distance_.vertices[c],
+  visit_single<2>(
+      visit, next++, distance_.vertices[c],
       [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest(c)); },
       [&](double value) { return quadratic(value, alpha); });
 }
 
-template <class Kind, class Visit>
+template <class Kind>
 void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
                                   const Visit& visit) const {
   const double alpha = bending_compliance_ * list.softness[c];
+  constexpr std::size_t N = Kind::arity, directors = directors_of<Kind>;
+  const std::array<double, Kind::rest_values>& rest = list.rest[c];
   if constexpr (HasComponents<Kind>)
-    if (is_sum_of_squares<Kind>(list.rest[c], list.law)) {
+    if (is_sum_of_squares<Kind>(rest, list.law)) {
+      const auto joint = [&](const Corners<N>& p, const Slopes& slopes) {
+        if constexpr (Kind::linear_components)
+          return Gradient<N>{};
+        else
+          return Kind::weighted_components(p, rest, list.law, slopes).gradient;
+      };
+      const FunctionRef<Gradient<N>(const Corners<N>&, const Slopes&)> joint_gradient(joint);
       for (std::size_t k = 0; k < Kind::components; ++k)
-        visit(
-            next++, list.vertices[c],
-            [&](const Corners<Kind::arity>& p) { return Kind::component(p, list.rest[c], list.law, k); },
-            [&](double value) { return quadratic(value, alpha); });
+        visit(Term<N>{next++, list.vertices[c],
+                      [&](const Corners<N>& p) { return Kind::component(p, rest, list.law, k); },
+                      [&](double value) { return quadratic(value, alpha); },
+                      Kind::linear_components ? nullptr : &joint_gradient, directors, k, Kind::components});
       return;
     }
-  visit(
-      next++, list.vertices[c],
-      [&](const Corners<Kind::arity>& p) { return Kind::template value<double>(p, list.rest[c], list.law); },
+  visit_single<N>(
+      visit, next++, list.vertices[c],
+      [&](const Corners<N>& p) { return Kind::template value<double>(p, rest, list.law); },
       [&](double value) {
         if constexpr (OneSided<Kind>)
-          return one_sided<Kind>(value, list.rest[c], list.law, alpha);
+          return one_sided<Kind>(value, rest, list.law, alpha);
         else
           return quadratic(value, alpha);
-      });
+      },
+      directors);
 }
 
-template <class Visit>
-void ElasticSystem::own_terms(const Positions& positions, const Visit& visit) const {
+template <class Visitor>
+void ElasticSystem::own_terms(const Positions& positions, const Visitor& visit) const {
   if (own_.size() == 0) return;
   const OwnValues all = evaluate(own_, positions);
   const bool is_energy = own_.function->is_energy();
@@ -193,23 +281,24 @@ void ElasticSystem::own_terms(const Positions& positions, const Visit& visit) co
 ElasticSystem::AtVertex ElasticSystem::at_vertex(const Positions& positions, int vertex) {
   if (constraints_at_.empty()) find_constraints_at_vertices();
   AtVertex sum{0, Vector3::Zero(), Eigen::Matrix3d::Zero()};
-  const auto add = [&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
-    const auto c = evaluate(corners(positions, vertices));
+  const auto add = [&](const auto& term) {
+    const auto c = term.evaluate(corners(positions, term.vertices));
     if (!c.defined) return;
     Vector3 gradient = Vector3::Zero();  // an element may name a vertex twice
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (vertices[i] == vertex) gradient += c.gradient[i];
-    const Potential psi = potential(c.value);
+    for (std::size_t i = 0; i < term.vertices.size(); ++i)
+      if (term.vertices[i] == vertex) gradient += c.gradient[i];
+    const Potential psi = term.potential(c.value);
     sum.energy += psi.value;
     sum.force -= psi.slope * gradient;
     sum.stiffness += std::max(0.0, psi.curvature) * gradient * gradient.transpose();
   };
+  const Visit visit(add);
   for (const Listed& at : constraints_at_[static_cast<std::size_t>(vertex)]) {
     Eigen::Index term = 0;
-    if (at.list == 0) strain_terms(at.index, term, add);
-    if (at.list == 1) distance_term(at.index, term, add);
+    if (at.list == 0) strain_terms(at.index, term, visit);
+    if (at.list == 1) distance_term(at.index, term, visit);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& elements) {
-      if (at.list == 2 + kind_index<Kind>) element_terms(elements, at.index, term, add);
+      if (at.list == 2 + kind_index<Kind>) element_terms(elements, at.index, term, visit);
     });
   }
   return sum;
@@ -246,9 +335,9 @@ std::size_t ElasticSystem::memory_bytes() const {
 
 double ElasticSystem::energy(const Positions& positions) const {
   double sum = 0;
-  for_terms([&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
-    const auto c = evaluate(corners(positions, vertices));
-    if (c.defined) sum += potential(c.value).value;
+  for_terms([&](const auto& term) {
+    const auto c = term.evaluate(corners(positions, term.vertices));
+    if (c.defined) sum += term.potential(c.value).value;
   });
   own_terms(positions,
             [&](Eigen::Index, std::size_t, const Potential& psi, const double*) { sum += psi.value; });
@@ -257,12 +346,12 @@ double ElasticSystem::energy(const Positions& positions) const {
 
 Eigen::VectorXd ElasticSystem::gradient(const Positions& positions) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(unknowns());
-  for_terms([&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
-    const auto c = evaluate(corners(positions, vertices));
+  for_terms([&](const auto& term) {
+    const auto c = term.evaluate(corners(positions, term.vertices));
     if (!c.defined) return;
-    const double slope = potential(c.value).slope;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (const int at = free_index_[static_cast<std::size_t>(vertices[i])]; at >= 0)
+    const double slope = term.potential(c.value).slope;
+    for (std::size_t i = 0; i < term.vertices.size(); ++i)
+      if (const int at = free_index_[static_cast<std::size_t>(term.vertices[i])]; at >= 0)
         sum.segment<3>(3 * at) += slope * c.gradient[i];
   });
   own_terms(positions, [&](Eigen::Index, std::size_t c, const Potential& psi, const double* gradient) {
@@ -306,12 +395,12 @@ Eigen::VectorXd ElasticSystem::multipliers(const Positions& positions) const {
 Eigen::VectorXd ElasticSystem::predicted_multipliers(const Positions& positions,
                                                      const Eigen::VectorXd& step) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(energy_terms_);
-  for_terms([&](Eigen::Index term, const auto& vertices, const auto& evaluate, const auto& potential) {
-    const auto c = evaluate(corners(positions, vertices));
+  for_terms([&](const auto& term) {
+    const auto c = term.evaluate(corners(positions, term.vertices));
     if (!c.defined) return;
-    const Potential psi = potential(c.value);
-    result(term) = psi.slope;
-    if (step.size() > 0) result(term) += psi.curvature * change_of(c, vertices, step);
+    const Potential psi = term.potential(c.value);
+    result(term.index) = psi.slope;
+    if (step.size() > 0) result(term.index) += psi.curvature * change_of(c, term.vertices, step);
   });
   own_terms(positions, [&](Eigen::Index term, std::size_t c, const Potential& psi, const double* gradient) {
     double change = 0;
@@ -329,12 +418,13 @@ double ElasticSystem::strain_beyond_first_order(const Positions& positions,
                                                 const Eigen::VectorXd& step) const {
   const Positions there = moved(positions, step);
   double largest = 0;
-  for_terms([&]<std::size_t N>(Eigen::Index, const std::array<int, N>& vertices, const auto& evaluate,
-                               const auto&) {
+  for_terms([&]<std::size_t N>(const Term<N>& term) {
     if constexpr (N == 3) {
-      const auto before = evaluate(corners(positions, vertices)), after = evaluate(corners(there, vertices));
+      const auto before = term.evaluate(corners(positions, term.vertices)),
+                 after = term.evaluate(corners(there, term.vertices));
       if (before.defined && after.defined)
-        largest = std::max(largest, std::abs(after.value - before.value - change_of(before, vertices, step)));
+        largest =
+            std::max(largest, std::abs(after.value - before.value - change_of(before, term.vertices, step)));
     }
   });
   return largest;
@@ -376,30 +466,24 @@ Positions ElasticSystem::moved(const Positions& positions, const Eigen::VectorXd
 const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& positions,
                                                           const Eigen::VectorXd& multipliers) {
   std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);
-  for_terms([&]<std::size_t N>(Eigen::Index term, const std::array<int, N>& vertices, const auto& evaluate,
-                               const auto& potential) {
-    const Corners<N> p = corners(positions, vertices);
-    const auto c = evaluate(p);
+  ElementMatrix matrix;
+  Slopes slopes{};
+  for_terms([&]<std::size_t N>(const Term<N>& term) {
+    const Corners<N> p = corners(positions, term.vertices);
+    const auto c = term.evaluate(p);
     if (!c.defined) return;
-    const double slope = multipliers(term), curvature = potential(c.value).curvature;
-    if (slope == 0 && curvature == 0) return;
-    // Only elements with directors have 9 corners.
-    constexpr std::size_t directors = N == MidEdgeBend::arity ? MidEdgeBend::directors : 0;
-    Eigen::Matrix<double, 3 * N, 3 * N> second;
-    if (slope != 0)
-      second = slope * second_derivative<N>(p, directors, evaluate);
-    else
-      second.setZero();
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) {
-        const int row = free_index_[static_cast<std::size_t>(vertices[i])],
-                  column = free_index_[static_cast<std::size_t>(vertices[j])];
-        if (column < 0 || row < column) continue;
-        add_block(row, column,
-                  curvature * c.gradient[i] * c.gradient[j].transpose() +
-                      second.template block<3, 3>(static_cast<Eigen::Index>(3 * i),
-                                                  static_cast<Eigen::Index>(3 * j)));
-      }
+    if (term.component == 0) matrix.reset(N), slopes = {};
+    slopes[term.component] = multipliers(term.index);
+    const double curvature = term.potential(c.value).curvature;
+    if (curvature != 0) matrix.add_square(c.gradient[0].data(), curvature);
+    if (!term.is_last()) return;
+    if (term.joint_gradient != nullptr && slopes != Slopes{}) {
+      if constexpr (N == 2)
+        add_second_of_distance(matrix, p, slopes[0]);
+      else
+        add_second<N>(matrix, p, term.directors, slopes, *term.joint_gradient);
+    }
+    add_blocks(term.vertices, matrix.numbers.data());
   });
   add_own_hessian(positions, multipliers);
   hold_unread_coordinates();
@@ -434,28 +518,30 @@ void ElasticSystem::add_own_hessian(const Positions& positions, const Eigen::Vec
       whole += psi.slope * without_negative_eigenvalues(second[c]);
     else if (multipliers(term) != 0)
       whole += multipliers(term) * second[c];
-    const std::span<const int> vertices = own_.corners(c);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      for (std::size_t j = 0; j < vertices.size(); ++j) {
-        const int row = free_index_[static_cast<std::size_t>(vertices[i])],
-                  column = free_index_[static_cast<std::size_t>(vertices[j])];
-        if (column < 0 || row < column) continue;
-        add_block(row, column,
-                  whole.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
-      }
+    add_blocks(own_.corners(c), whole.data());  // a symmetric matrix, by columns or by rows
   });
 }
 
-// The first block of a column is on the diagonal, so only the lower triangle of this block is stored.
-void ElasticSystem::add_block(int row, int column, const Eigen::Matrix3d& block) {
-  const std::vector<int>& rows = blocks_[static_cast<std::size_t>(column)];
-  const auto rank = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
-  for (int c = 0; c < 3; ++c) {
-    double* const values = hessian_.valuePtr() + hessian_.outerIndexPtr()[3 * column + c];
-    if (rank == 0)
-      for (int r = c; r < 3; ++r) values[r - c] += block(r, c);
-    else
-      for (int r = 0; r < 3; ++r) values[3 * rank - c + r] += block(r, c);
+// Adds the matrix of an element, row by row. The first block of a column is on the diagonal, so only the lower
+// triangle of this block is stored.
+void ElasticSystem::add_blocks(std::span<const int> vertices, const double* matrix) {
+  const std::size_t width = 3 * vertices.size();
+  for (std::size_t j = 0; j < vertices.size(); ++j) {
+    const int column = free_index_[static_cast<std::size_t>(vertices[j])];
+    if (column < 0) continue;
+    const std::vector<int>& rows = blocks_[static_cast<std::size_t>(column)];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const int row = free_index_[static_cast<std::size_t>(vertices[i])];
+      if (row < column) continue;
+      const auto rank = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
+      for (std::size_t c = 0; c < 3; ++c) {
+        double* const values =
+            hessian_.valuePtr() + hessian_.outerIndexPtr()[3 * column + static_cast<int>(c)] + 3 * rank;
+        for (std::size_t r = rank == 0 ? c : 0; r < 3; ++r)
+          values[static_cast<std::ptrdiff_t>(r) - static_cast<std::ptrdiff_t>(c)] +=
+              matrix[(3 * i + r) * width + 3 * j + c];
+      }
+    }
   }
 }
 

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "bendlab/solver/simulation.hpp"
@@ -72,26 +73,26 @@ class ElasticSystem {
   AtVertex at_vertex(const Positions& positions, int vertex);
 
  private:
-  template <class Visit>
+  struct Visit;  // a function of an energy term
   void for_terms(const Visit& visit) const;
-  template <class Visit>
+  /// Calls visit() for the terms of one constraint. `next` is the index of the constraint's first term, and
+  /// increases by the number of the terms.
   void strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const;
-  template <class Visit>
   void distance_term(std::size_t c, Eigen::Index& next, const Visit& visit) const;
-  template <class Kind, class Visit>
+  template <class Kind>
   void element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
                      const Visit& visit) const;
   void find_constraints_at_vertices();
   /// Calls visit(term, element, ψ with its derivatives, gradient of C or U) for every own element.
-  template <class Visit>
-  void own_terms(const Positions& positions, const Visit& visit) const;
+  template <class Visitor>
+  void own_terms(const Positions& positions, const Visitor& visit) const;
   void add_own_hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
   template <class Value, std::size_t N>
   double change_of(const Value& c, const std::array<int, N>& vertices, const Eigen::VectorXd& step) const;
   void find_pattern();
   void hold_unread_coordinates();
   void uncouple_held();
-  void add_block(int row, int column, const Eigen::Matrix3d& block);
+  void add_blocks(std::span<const int> vertices, const double* matrix);
 
   StrainConstraints strain_;
   StrainStiffness strain_stiffness_;

@@ -43,7 +43,7 @@ RestFace clamped_first(RestFace face) {
   for (std::size_t i = 0; i < 3; ++i)
     if (face.side[i] == EdgeSide::clamped && face.side[(i + 2) % 3] != EdgeSide::clamped) first = i;
   const auto rotate = [&](auto&... values) {
-    (std::ranges::rotate(values, values.begin() + static_cast<std::ptrdiff_t>(first)), ...);
+    (std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(first), values.end()), ...);
   };
   rotate(face.vertices, face.beyond, face.edge, face.side, face.turns, face.height, face.height_beyond,
          face.inwards);
