@@ -52,8 +52,8 @@ constexpr double frame_per_triangle = 1.2e-7;
 constexpr double vertex = 8e-9;              // in a substep, besides the effects
 constexpr double number = 1e-9;              // a projection, per number that the constraint keeps
 constexpr double factor_of_blocks = 3.2e-7;  // per vertex, times √V
-// To find the Hessian of a constraint: per square of the count of numbers that it keeps. `own`: an element that
-// is evaluated once, per corner.
+// To find the Hessian of a constraint: per square of the count of numbers that it keeps. `own`: to evaluate
+// an element of dkt or of a user once, per corner.
 constexpr double hessian = 8e-8, own = 3.5e-6;
 }  // namespace seconds
 

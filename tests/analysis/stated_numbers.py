@@ -51,12 +51,13 @@ torn, mended = (column("paper", "rest", "whole", case=case, N=128)[0] + 1
                 for case in ("crossover, pin alone", "adaptive, pin + 1-ring"))
 rigid = column("paper", "strips", "measured", solver="the defaults")
 strips = [run for run in rows("accuracy", experiment="accuracy_front_cantilever.*")
-          if run.get(ERROR, 1) <= 0.01]
+          if run.get(ERROR, 1) <= 0.01 and run["settings"]["method"] == "pbd"]
 strip = min(strips, key=lambda run: run[MS])
 # Error by the solver of the curtain: {(substeps, iterations, model): error}.
 curtain = {(run["settings"]["substeps"], run["settings"]["iterations"], run["model"]): run["error_solver_rms"]
            for run in rows("accuracy", experiment="accuracy_front.*", cells="24")
-           if run["model"] != "choi_ko" and run.get("error_solver_rms", 0) > 0}
+           if run["model"] != "choi_ko" and run.get("error_solver_rms", 0) > 0
+           and run["settings"]["method"] == "pbd"}
 # Ratios of the error with iterations to the error with as many substeps.
 gains = [curtain[1, substeps, model] / error for (substeps, iterations, model), error in curtain.items()
          if substeps in (16, 64, 256) and iterations == 1]

@@ -1,5 +1,5 @@
-// The sweeps in configs/plain. Every tenth run must be physically possible, or the program must report that
-// it is not. The same scenes are also compared in two units of length.
+// The sweeps in configs/plain. Runs in a sample must be physically possible, or the program must report that
+// they are not. The same scenes are also compared in two units of length.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -207,8 +207,8 @@ std::string silently_wrong(const Experiment& experiment, const RunConfig& config
                                                                  : bounds.worst() + ":" + text_of(config);
 }
 
-// The same for every tenth run. Two runs are computed in parallel.
-std::vector<std::string> silently_wrong(const std::string& name) {
+// The same for the runs 3, 3 + spacing, 3 + 2 spacing, …. Two runs are computed in parallel.
+std::vector<std::string> silently_wrong(const std::string& name, std::size_t spacing) {
   const Experiment experiment = plain(name);
   const auto every = [&](std::size_t first, std::size_t step) {
     std::vector<std::string> problems;
@@ -217,8 +217,9 @@ std::vector<std::string> silently_wrong(const std::string& name) {
         problems.push_back(fmt::format("bendlab run configs/plain/{}.json: {}", name, wrong));
     return problems;
   };
-  std::future<std::vector<std::string>> other = std::async(std::launch::async, every, 13, 20);
-  std::vector<std::string> problems = every(3, 20);
+  std::future<std::vector<std::string>> other =
+      std::async(std::launch::async, every, 3 + spacing, 2 * spacing);
+  std::vector<std::string> problems = every(3, 2 * spacing);
   std::ranges::copy(other.get(), std::back_inserter(problems));
   return problems;
 }
@@ -247,9 +248,10 @@ TEST_CASE("plain: hinges hardly move a hanging sheet in the first step", "[plain
   }
 }
 
-TEST_CASE("plain: among every tenth run, no run breaks a bound without a report", "[plain]") {
+TEST_CASE("plain: no run of a sample breaks a bound without a report", "[plain]") {
   const std::string name = GENERATE("first", "metres", "millimetres", "methods");
-  CHECK(silently_wrong(name) == std::vector<std::string>());
+  // Newton's method takes a hundred times as long.
+  CHECK(silently_wrong(name, name == "methods" ? 40 : 10) == std::vector<std::string>());
 }
 
 // A unit of length of 1/1024 changes only exponents. If no length is compared with a fixed constant, no bit

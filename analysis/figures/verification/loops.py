@@ -1,4 +1,4 @@
-"""Loops and folds of textile tests against the heavy elastica, and a Möbius strip against Sadowsky's limit."""
+"""Loops and folds of textile tests against the heavy elastica; a Möbius strip against Sadowsky's limit."""
 import numpy as np
 
 from runs import verified

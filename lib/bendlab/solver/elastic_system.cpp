@@ -522,8 +522,8 @@ void ElasticSystem::add_own_hessian(const Positions& positions, const Eigen::Vec
   });
 }
 
-// Adds the matrix of an element, row by row. The first block of a column is on the diagonal, so only the lower
-// triangle of this block is stored.
+// Adds the matrix of an element, row by row. The first block of a column is on the diagonal, so only the
+// lower triangle of this block is stored.
 void ElasticSystem::add_blocks(std::span<const int> vertices, const double* matrix) {
   const std::size_t width = 3 * vertices.size();
   for (std::size_t j = 0; j < vertices.size(); ++j) {
