@@ -14,7 +14,7 @@ from tables.numbers import number, rounded, unit_text
 from tables.section import address
 
 # Sizes in pixels: picture, text above, text below, gap, colour bar
-STILL, HEAD, FOOT, GAP, BAR = 220, 49, 40, 14, 64
+STILL, HEAD, FOOT, GAP, BAR = 220, 61, 40, 14, 64
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
@@ -120,8 +120,8 @@ def _still(axes, sheet, cell, alike, left, top):
     axes.text(left + corner["xy"][0] * STILL, top + 5, cloth.time_text(run, frame), ha=corner["ha"], va="top",
               fontsize=TEXT, bbox=cloth.LABEL)
     of_models = f" (worst of {alike} models)" if alike > 1 else ""
-    axes.text(left, top - 4, f"{textwrap.fill(cell.case.title, 38)}\n{cell.model}, {cell.precision}"
-              f"{of_models}", va="bottom", fontsize=TEXT)
+    lines = [cell.case.title, f"{cell.model}, {cell.precision}{of_models}"]
+    axes.text(left, top - 4, "\n".join(textwrap.fill(line, 38) for line in lines), va="bottom", fontsize=TEXT)
     finite = positions[np.isfinite(positions).all(axis=1)]
     reach = np.linalg.norm(finite - (finite.min(axis=0) + finite.max(axis=0)) / 2, axis=1).max()
     axes.text(left, top + STILL + 4, f"{worst.name} {number(worst.value)}{unit_text(worst.unit)}\n"

@@ -28,7 +28,7 @@ from tables.committed import OWN  # noqa: E402
 from tables.section import Check, Claim, Section, write_objects  # noqa: E402
 from tables.table import Table  # noqa: E402
 
-MOST = 25e6  # bytes of the committed files of results/
+MOST = 30e6  # bytes of the committed files of results/; 27e6 with 18 models
 MARKUP = "<injected>'\"</script><script>document.title='injected'</script><!--<img src=x onerror=alert(2)>"
 OTHER_NAMES = ["discrete shells", "Discrete shells", "k-ring,", "Choi-Ko", "no bending", "sparse LOD",
                "edge springs"]
