@@ -48,7 +48,7 @@ class Models(unittest.TestCase):
             with self.subTest(repr(solver)):
                 self.assertLess(apart(sheet(FoldAngle(**BY_COMPLIANCE), solver, 6, material=soft),
                                       sheet(bl.DiscreteShells(**BY_COMPLIANCE), solver, 6, material=soft),
-                                      100), 1e-12)
+                                      30), 1e-12)
         for solver in (bl.Newton(), bl.Newton(integrator="euler")):
             with self.subTest(repr(solver)):
                 self.assertLess(apart(sheet(FoldAngle(**BY_COMPLIANCE), solver, 6),
@@ -57,8 +57,8 @@ class Models(unittest.TestCase):
     def test_with_k_the_model_is_the_dihedral_constraint(self):
         solver = bl.Pbd(order="mesh", precision="double", iterations=3)
         by_k = {"stiffness": "k"}
-        self.assertLess(apart(sheet(FoldAngle(**by_k, k=0.3), solver),
-                              sheet(bl.DiscreteShells(**by_k, k=0.3), solver), 30), 1e-12)
+        self.assertLess(apart(sheet(FoldAngle(**by_k, k=0.3), solver, 6),
+                              sheet(bl.DiscreteShells(**by_k, k=0.3), solver, 6), 20), 1e-12)
 
     def test_equilibrium_equals_that_of_the_oracle_for_constraint_and_energy(self):
         pose = {}
