@@ -237,6 +237,7 @@ void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, 
   const std::array<double, Kind::rest_values>& rest = list.rest[c];
   if constexpr (HasComponents<Kind>)
     if (is_sum_of_squares<Kind>(rest, list.law)) {
+      static_assert(Kind::components == std::tuple_size_v<Slopes>);
       const auto joint = [&](const Corners<N>& p, const Slopes& slopes) {
         if constexpr (Kind::linear_components)
           return Gradient<N>{};
