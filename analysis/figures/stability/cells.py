@@ -14,7 +14,7 @@ from tables.numbers import number, rounded, unit_text
 from tables.section import address
 
 # Sizes in pixels: picture, text above, text below, gap, colour bar
-STILL, HEAD, FOOT, GAP, BAR = 220, 61, 40, 14, 64
+STILL, HEAD, FOOT, GAP, BAR = 220, 61, 52, 14, 64
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
@@ -124,9 +124,9 @@ def _still(axes, sheet, cell, alike, left, top):
     axes.text(left, top - 4, "\n".join(textwrap.fill(line, 38) for line in lines), va="bottom", fontsize=TEXT)
     finite = positions[np.isfinite(positions).all(axis=1)]
     reach = np.linalg.norm(finite - (finite.min(axis=0) + finite.max(axis=0)) / 2, axis=1).max()
-    axes.text(left, top + STILL + 4, f"{worst.name} {number(worst.value)}{unit_text(worst.unit)}\n"
-              f"{number(2 * reach / run.size)} sizes across", va="top", fontsize=TEXT,
-              color="#8a1538" if cell.verdict == RED else "#6d5200")
+    worst_text = textwrap.fill(f"{worst.name} {number(worst.value)}{unit_text(worst.unit)}", 34)
+    axes.text(left, top + STILL + 4, f"{worst_text}\n{number(2 * reach / run.size)} sizes across", va="top",
+              fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")
 
 
 def _slivers(places, triangles, colours):
