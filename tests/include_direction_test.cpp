@@ -44,7 +44,9 @@ const std::vector<std::pair<std::string, std::set<std::string>>> experiment_room
     {"advise", {"config", "measures", "run", "terminal", "campaign"}},
     {"bench", {"config", "measures", "run", "terminal", "campaign"}},
     {"dialects", {}},
-    {"cli", {"config", "measures", "run", "terminal", "campaign", "export", "advise", "bench", "dialects"}},
+    {"fit", {"config"}},
+    {"cli",
+     {"config", "measures", "run", "terminal", "campaign", "export", "advise", "bench", "dialects", "fit"}},
 };
 
 /// The names in the #include lines of a file.

@@ -133,6 +133,28 @@ struct Crumpled {
   }
 };
 
+// The batch with moments that soften, or with elements that have yielded.
+template <class Batch>
+Batch softened(Batch batch) {
+  batch.softening.half_at = 3;
+  batch.length.assign(batch.order.lane_count(), typename decltype(batch.softness)::value_type(0.05));
+  batch.yield.assign(batch.length.size(),
+                     std::numeric_limits<typename decltype(batch.softness)::value_type>::infinity());
+  batch.hardening.assign(batch.length.size(), 0);
+  return batch;
+}
+template <class Batch>
+Batch yielding(Batch batch) {
+  batch.length.assign(batch.order.lane_count(), 0), batch.yield.assign(batch.length.size(), 0);
+  batch.hardening.assign(batch.length.size(), 0);
+  for (std::size_t lane = 0; lane < batch.yield.size(); ++lane) {
+    using Real = typename decltype(batch.yield)::value_type;
+    batch.yield[lane] = static_cast<Real>(0.01 * static_cast<double>(1 + lane % 9));
+    batch.hardening[lane] = static_cast<Real>(0.1 * static_cast<double>(lane % 4));
+  }
+  return batch;
+}
+
 // Calls check(batch) for the elements of every kind, law and stiffness.
 template <class Real, class Check>
 void for_elements(const Crumpled<Real>& cloth, const Check& check) {
@@ -149,6 +171,10 @@ void for_elements(const Crumpled<Real>& cloth, const Check& check) {
     for (const auto law : {MidEdgeBend::Law::tangent, MidEdgeBend::Law::sine, MidEdgeBend::Law::angle})
       check(cloth.template elements<MidEdgeBend>("mid_edge", kind, law));
     check(cloth.template elements<LaplacianBend>("laplacian", kind, LaplacianBend::Law::norm));
+    if (kind == StiffnessKind::k) continue;
+    const auto hinges = cloth.template elements<HingeAngle>("dihedral", kind, HingeAngle::Law::angle);
+    const auto faces = cloth.template elements<MidEdgeBend>("mid_edge", kind, MidEdgeBend::Law::tangent);
+    check(softened(hinges)), check(yielding(hinges)), check(softened(faces)), check(yielding(faces));
   }
 }
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <random>
 
+#include "bendlab/solver/elastic_metric.hpp"
+#include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/pair_history.hpp"
 #include "bendlab/solver/soft_membrane.hpp"
 #include "tests/catch.hpp"
@@ -87,6 +89,35 @@ TEST_CASE("the pair history takes account of a stated change of the function", "
   REQUIRE(along);
   const Vector s = x1 - x0;
   CHECK_THAT(along->after - along->before, WithinRel(s.dot(2 * s), 1e-12));  // s·H s
+}
+
+// In a flat sheet bending resists moves along the normal and turns of the directors, and nothing else. The
+// matrix leaves out that directors and vertices are coupled.
+TEST_CASE("the matrix of quasi_newton is the Hessian of a flat sheet at rest", "[solver]") {
+  const RestMesh rest(delaunay(1, 1, 5, 2));
+  for (const std::string_view model : {"dihedral", "isometric", "bridson", "mid_edge"}) {
+    INFO(model);
+    SimulationInput input =
+        compliant(test::sheet(rest, make_pins(rest, {0, 1}, 0), model), "quasi_newton", 1e-3, 1);
+    const ElasticMetric metric(input);
+    ElasticSystem system(input);
+    const Positions points = input.points();
+    const Eigen::MatrixXd hessian =
+        Eigen::MatrixXd(system.hessian(points, system.multipliers(points))).selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd matrix = Eigen::MatrixXd(metric.bending()).selfadjointView<Eigen::Lower>();
+    Eigen::MatrixXd expected(matrix.rows(), matrix.cols());
+    const auto point_of = [&](Eigen::Index i) {
+      return static_cast<std::size_t>(metric.vertices()[static_cast<std::size_t>(i)]);
+    };
+    const auto is_vertex = [&](Eigen::Index i) { return point_of(i) < input.mass.size(); };
+    const auto unknown = [&](Eigen::Index i) {
+      return 3 * system.free_index()[point_of(i)] + (is_vertex(i) ? 2 : 0);
+    };
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+      for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+        expected(i, j) = is_vertex(i) == is_vertex(j) ? hessian(unknown(i), unknown(j)) : 0;
+    CHECK((matrix - expected).norm() <= 1e-9 * expected.norm());  // central differences have ten digits
+  }
 }
 
 TEST_CASE("a membrane is as stiff as stated at a pin, and softer with the distance from it", "[solver]") {

@@ -10,7 +10,9 @@
 
 #include "bendlab/bending/bend_spans.hpp"
 #include "bendlab/bending/sheet_response.hpp"
+#include "bendlab/bending/triangle_lookup.hpp"
 #include "bendlab/bending/unit_bend.hpp"
+#include "bendlab/bending/warp_field.hpp"
 #include "bendlab/constraints/energy.hpp"
 
 namespace bendlab {
@@ -24,12 +26,16 @@ double square(double x) {
   return x * x;
 }
 
-// #V: a third of the area of each triangle that may bend.
-std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>& held) {
+// #V: a third of the area of each triangle that may bend, times the triangle's factor (#T, or none: 1).
+std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>& held,
+                                  std::span<const double> factor = {}) {
   std::vector<double> area(static_cast<std::size_t>(rest.vertex_count()), 0);
   for (int t = 0; t < rest.triangle_count(); ++t)
-    for (int c = 0; c < 3 && !held[static_cast<std::size_t>(t)]; ++c)
-      area[static_cast<std::size_t>(rest.triangles()(t, c))] += rest.areas()[static_cast<std::size_t>(t)] / 3;
+    for (int c = 0; c < 3 && !held[static_cast<std::size_t>(t)]; ++c) {
+      const auto at = static_cast<std::size_t>(t);
+      area[static_cast<std::size_t>(rest.triangles()(t, c))] +=
+          (factor.empty() ? 1 : factor[at]) * rest.areas()[at] / 3;
+    }
   return area;
 }
 
@@ -60,8 +66,9 @@ class Calibration {
         pins_(pins),
         held_(held_triangles(rest, pins)),
         target_(target),
-        linear_(rest.vertex_count()),
-        quartic_(rest.vertex_count()) {
+        directions_(rest, target.directed),
+        linear_(rest.vertex_count(), directions_.shape()),
+        quartic_(rest.vertex_count(), directions_.shape()) {
     for_each_kind(constraints.elements, [&]<class Kind>(const ElementList<Kind>& list) {
       if (folds<Kind> && list.size() > 0) plane_ = plane_coordinates(rest);
     });
@@ -92,21 +99,23 @@ class Calibration {
     if (count == 0) return;
     if (target_.deflection != Deflection::large)
       throw std::invalid_argument(
-          "this model has its flexural_rigidity by a formula, for a sheet that is bent to a cylinder: set "
+          "a formula gives this model its flexural_rigidity, and the formula holds for large deflections: "
+          "set "
           "\"deflection\" to \"large\", or choose a model made of hinges, such as discrete_shells");
     const std::vector<Vector2> plane = plane_coordinates(rest_);
-    if (!plane.empty()) add_share_facts(plane);
-    const auto divide = [&](std::vector<double>& softness) {
-      for (double& of_element : softness) of_element /= rigidity();
-    };
-    divide(constraints_.own.softness);
+    if (!plane.empty() && target_.factor.empty()) add_share_facts(plane);
+    const OverElements factor(rest_, target_.factor);
+    OwnElements& own = constraints_.own;
+    for (std::size_t c = 0; c < own.size(); ++c)
+      own.softness[c] /= rigidity() * factor.of_corners(own.corners(c));
     for_each_kind(constraints_.elements, [&]<class Kind>(ElementList<Kind>& list) {
-      if constexpr (by_formula<Kind>) divide(list.softness);
+      if constexpr (by_formula<Kind>)
+        for (std::size_t c = 0; c < list.size(); ++c) list.softness[c] /= rigidity() * factor(list, c);
     });
   }
 
   void meet() {
-    const std::vector<double> area = bending_areas(rest_, held_);
+    const std::vector<double> area = bending_areas(rest_, held_, target_.factor);
     if (!linear_.empty()) meet_linear(area);
     if (!quartic_.empty()) meet(quartic_, area, quartic() / 4, 4, "quartic");
     if (membrane_)
@@ -142,17 +151,27 @@ class Calibration {
     if (!hinges_only) {
       if (target_.deflection != Deflection::large)
         throw std::invalid_argument(
-            "only hinges in a flat rest shape can have their flexural_rigidity at a deflection other than "
-            "\"large\": set \"deflection\" to \"large\", or choose a model made of hinges and a flat mesh");
+            "\"deflection\" may be \"small\" or \"both\" only for hinges with a flat rest shape: set it to "
+            "\"large\", or choose a model made of hinges and a flat mesh");
       return meet(linear_, std::move(energy), rigidity() / 2, 1, "linear");
     }
     for (double& of_vertex : energy) of_vertex *= rigidity() / 2;
     linear_.fit(energy);
     const bool whole = target_.deflection == Deflection::both;
+    if (target_.deflection != Deflection::large && !target_.factor.empty())
+      throw std::invalid_argument(
+          "the response to small deflections is not known for a sheet with a map: set \"deflection\" to "
+          "\"large\", or remove the map");
+    if (target_.deflection != Deflection::large && !directions_.is_uniform())
+      throw std::invalid_argument(
+          "the response to small deflections is known only if the warp has the same direction everywhere: "
+          "set \"deflection\" to \"large\", or /material/coordinates to \"warp\"");
     const SheetResponse response(rest_, pins_, plane_, whole ? 0 : response_patch);
     if (whole && response.measurable()) agree(response, energy);
     std::vector<BendingFact> facts;
-    if (const auto answer = response(stencils_, linear_.factors())) {
+    const bool uniform = directions_.is_uniform() && target_.factor.empty();
+    const auto answer = uniform ? response(stencils_, linear_.factors()) : std::nullopt;
+    if (answer) {
       const double scale = scale_for(*answer);
       for (double& factor : linear_.factors()) factor *= scale;
       for (double& of_vertex : energy) of_vertex *= scale;
@@ -177,7 +196,11 @@ class Calibration {
     double area = 0;
     for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
     if (!(area > 0)) return;
-    const ByDirection shares = in_all_directions([&](const Vector2& d) {
+    // The whole sheet bends, so normals at clamps turn, too.
+    Directors directors = constraints_.directors;
+    for (std::size_t i = 0; i < directors.is_pinned.size(); ++i)
+      if (directors.rest.row(static_cast<Eigen::Index>(i)).norm() > 0) directors.is_pinned[i] = 0;
+    const auto share_along = [&](const Vector2& d) {
       double energy = 0;
       if (constraints_.directors.count() > 0 || constraints_.own.size() == 0) {
         Positions bent(rest_.vertex_count(), 3);
@@ -185,9 +208,8 @@ class Calibration {
           const Vector2 q = plane[static_cast<std::size_t>(v)];
           bent.row(v) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
         }
-        const Positions points =
-            joined(bent, relaxed_directors(constraints_.directors, constraints_.elements, constraints_.own,
-                                           bent, upright(constraints_.directors)));
+        const Positions points = joined(bent, relaxed_directors(directors, constraints_.elements,
+                                                                constraints_.own, bent, upright(directors)));
         energy = elastic_energy(constraints_.own, points);
         for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
           if constexpr (by_formula<Kind>) energy += elastic_energy(list, points);
@@ -195,8 +217,15 @@ class Calibration {
       } else {
         energy = energy_apart(constraints_.own, plane, d, curvature);
       }
-      return energy / (0.5 * square(curvature) * area);
-    });
+      return energy / (0.5 * square(curvature) * area) / directions_.relative(d);
+    };
+    const ByDirection shares = in_all_directions(share_along);
+    if (directions_.matters() && directions_.is_uniform()) {
+      const Vector2 warp = directions_.axis(), weft(-warp.y(), warp.x());
+      for (BendingFact& fact :
+           facts_by_direction(share_along(warp), share_along(weft), share_along((warp + weft).normalized())))
+        constraints_.facts.push_back(std::move(fact));
+    }
     const auto [least, most] = std::ranges::minmax(shares);
     constraints_.facts.push_back({"large_deflection", mean(shares),
                                   "share of the stated B that the sheet has if its membrane forces it to a "
@@ -260,13 +289,14 @@ class Calibration {
     if (!answer || !(spread(*answer) < spread_before)) std::ranges::copy(before, linear_.factors().begin());
   }
 
-  // The largest rigidity divided by the smallest, over both deflections and all directions.
-  static double spread(const SheetResponse::Answer& answer) {
+  // The largest share of the stated rigidity divided by the smallest, over both deflections and all
+  // directions.
+  double spread(const SheetResponse::Answer& answer) const {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Vector2& d : all_bending_directions())
       for (const Rigidity& sheet : {answer.unrelaxed, answer.relaxed}) {
-        const double rigidity = cylinder_rigidity(sheet, d);
-        least = std::min(least, rigidity), most = std::max(most, rigidity);
+        const double share = cylinder_rigidity(sheet, d) / directions_.relative(d);
+        least = std::min(least, share), most = std::max(most, share);
       }
     return most / least;
   }
@@ -294,7 +324,8 @@ class Calibration {
       double sum = 0, least = std::numeric_limits<double>::infinity(), most = 0;
       for (int k = 0; k < directions; ++k) {
         const double angle = std::numbers::pi * k / directions;
-        const double share = scale * rigidity_of({std::cos(angle), std::sin(angle)}) / rigidity();
+        const Vector2 d(std::cos(angle), std::sin(angle));
+        const double share = scale * rigidity_of(d) / (rigidity() * directions_.relative(d));
         sum += share / directions, least = std::min(least, share), most = std::max(most, share);
       }
       facts.push_back({name, sum, meaning});
@@ -330,7 +361,8 @@ class Calibration {
   }
 
   // A hinge in a flat rest shape lies in the sheet's plane. In any other rest shape each hinge is unfolded
-  // into a plane of its own. Such planes share no axes, so the hinge's energy is averaged over directions.
+  // into a plane of its own. Such planes share no axes, so the hinge's energy is averaged over directions. If
+  // B depends on the direction, every hinge is unfolded into a plane whose axis is the warp.
   template <class Energy>
   void add_hinge(StiffnessFit& fit, double& softness, const std::array<int, 4>& vertices,
                  const Energy& energy) {
@@ -340,15 +372,17 @@ class Calibration {
       p[i] = rest_.position(vertices[i]);
       if (!plane_.empty()) flat[i] = plane_[static_cast<std::size_t>(vertices[i])];
     }
-    const QuadraticForm angle = fold(plane_.empty() ? unfolded(p) : flat);
+    const QuadraticForm angle = fold(directions_.matters() ? directions_.unfolded_along_warp(vertices)
+                                     : plane_.empty()      ? unfolded(p)
+                                                           : flat);
     const Span span = hinge_span(vertices, pins_);
     ByDirection values =
         in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(angle, d)); });
-    if (plane_.empty()) values.fill(mean(values));
+    if (plane_.empty() && !directions_.matters()) values.fill(mean(values));
     fit.add(softness, values, span.shares);
     if (&fit != &linear_ || plane_.empty()) return;
     stencils_.push_back({vertices, fold_weights(flat), 2 * energy(1.0)});
-    folds_.push_back(angle);
+    folds_.push_back(fold(flat));
   }
 
   // ½ C² divided by (θ - θ0)², for small changes of the angle.
@@ -399,8 +433,10 @@ class Calibration {
     if (span.shares.empty() || std::ranges::binary_search(rest_.one_ring()[pair[0]], pair[1]))
       return fit.add_without_energy(softness);
     const QuarticForm shorter = bend.shortening(pair[0], pair[1]);
-    fit.add(softness,
-            in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(shorter, d)); }),
+    fit.add(softness, in_all_directions([&](const Vector2& d) {
+              const Vector2 bent = directions_.matters() ? directions_.in_plane(pair[0], pair[1], d) : d;
+              return energy(span.seen * value_in(shorter, bent));
+            }),
             span.shares);
   }
 
@@ -441,6 +477,7 @@ class Calibration {
   const Pins& pins_;
   std::vector<char> held_;
   const CalibrationTarget& target_;
+  WarpField directions_;
   std::vector<Vector2> plane_;
   StiffnessFit linear_, quartic_;
   std::vector<HeightStencil> stencils_;  // of the hinges in linear_, if the rest shape is flat

@@ -32,6 +32,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "bendlab/bending/model.hpp"
@@ -51,6 +52,10 @@ struct CalibrationTarget {
   std::optional<double> quartic_coefficient = {};  ///< C, N m³
   std::optional<double> at_curvature = {};  ///< κ0, 1/m: C = B/κ0², so that the moment at κ0 is B κ0
   Deflection deflection = Deflection::large;
+  /// How B depends on the direction; its mean is flexural_rigidity. Null: B is the same in all directions.
+  const DirectedSheet* directed = nullptr;
+  /// #T: factors on B and C by place; empty: the same everywhere.
+  std::span<const double> factor = {};
 };
 
 /// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts
@@ -61,7 +66,8 @@ struct CalibrationTarget {
 /// Throws std::invalid_argument if the target does not fit the kind of constraints. For springs, also throws
 /// if the rest shape is not flat, or if a spring is not at rest in the rest shape. A target with the
 /// deflection `small` or `both` needs hinges, a flat rest shape and enough vertices inside the sheet;
-/// otherwise calibrate() throws, too.
+/// otherwise calibrate() throws, too. If B depends on the direction, such a target also needs a warp that has
+/// the same direction everywhere.
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target);
 

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/bending/directed_rigidity.hpp"
 #include "bendlab/constraints/directors.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/own_elements.hpp"
@@ -45,6 +46,8 @@ struct BendingInput {
   int stride = 1;
   double poisson_ratio = 0;  ///< of the sheet, for models with takes_poisson_ratio
   bool is_flat = false;      ///< whether the sheet is unbent when it is flat, whatever the rest shape
+  /// For models with takes_directions: how the sheet's rigidity depends on the direction; null: it does not.
+  const DirectedSheet* directed = nullptr;
 };
 
 struct BendingKind;
@@ -64,6 +67,7 @@ struct BendingKind {
   bool springs_only = false;  ///< build() makes no elements, whatever the settings
   bool one_sided = false;     ///< its elements only push, so their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
+  bool uses_sides = false;    ///< needs neighbouring triangles that face the same side
   bool needs_energy = false;  ///< its elements have an energy, but no constraint that could be projected
   /// Whether the model may be used with k although k ignores softness (k corrects every constraint by the
   /// same share). If false, the model cannot be used with k if any softness differs from 1.
@@ -76,6 +80,12 @@ struct BendingKind {
   /// The sheet then has D at large deflections as nearly as the formula and the mesh allow.
   bool rigidity_by_formula = false;
   bool takes_poisson_ratio = false;  ///< build() reads BendingInput::poisson_ratio
+  /// Whether a formula gives a rigidity that depends on the direction: build() reads BendingInput::directed.
+  /// calibrate() gives such a rigidity to models without a formula.
+  bool takes_directions = false;
+  /// Whether set_moments() (moment_laws.hpp) can give the elements a moment that softens, and friction and
+  /// folds that stay. Elements that yield need a fold with a sign.
+  bool softens = false, yields = false;
   /// Whether this model, calibrated to a stated rigidity, is the reference for all other models.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;

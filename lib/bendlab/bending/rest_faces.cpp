@@ -14,13 +14,13 @@ namespace {
 // Fills what follows from the corners of a triangle alone.
 void measure(RestFace& face, const RestMesh& rest) {
   const std::array<Vector3, 3> p = corners(rest.positions(), face.vertices);
-  const Vector3 x = (p[1] - p[0]).normalized(), normal = (p[1] - p[0]).cross(p[2] - p[0]),
-                y = normal.normalized().cross(x);
+  const Vector3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  face.x = (p[1] - p[0]).normalized(), face.y = normal.normalized().cross(face.x);
   face.area = 0.5 * normal.norm();
   for (std::size_t i = 0; i < 3; ++i) {
     const Vector3 e = p[(i + 2) % 3] - p[(i + 1) % 3], inwards = normal.cross(e).normalized();
     face.height[i] = 2 * face.area / e.norm();
-    face.inwards[i] = {inwards.dot(x), inwards.dot(y)};
+    face.inwards[i] = {inwards.dot(face.x), inwards.dot(face.y)};
   }
 }
 
@@ -33,6 +33,7 @@ std::vector<RestFace> rest_faces(const RestMesh& rest, const Pins& pins) {
   std::vector<char> is_held(count, 1);  // all vertices pinned
   for (std::size_t t = 0; t < count; ++t) {
     RestFace& face = all[t];
+    face.triangle = static_cast<int>(t);
     for (std::size_t c = 0; c < 3; ++c) {
       face.vertices[c] = rest.triangles()(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(c));
       if (!pins.pinned(face.vertices[c])) is_held[t] = 0;
@@ -51,7 +52,7 @@ std::vector<RestFace> rest_faces(const RestMesh& rest, const Pins& pins) {
       return static_cast<std::size_t>((side.corner() + 2) % 3);
     };
     for (const HalfEdge<int>& side : sound)
-      all[static_cast<std::size_t>(side.triangle())].edge[opposite(side)] = next_edge + (sound.size() > 2);
+      all[static_cast<std::size_t>(side.triangle())].edge[opposite(side)] = next_edge;
     ++next_edge;
     if (sound.size() > 2)  // every triangle ends here: an edge for each
       for (const HalfEdge<int>& side : sound)
@@ -85,14 +86,26 @@ int edge_count(const std::vector<RestFace>& faces) {
 }
 
 std::array<double, 6> upper_factor(const RestFace& face, const std::array<double, 3>& curvature,
-                                   double poisson_ratio) {
+                                   const BendingInput& input) {
+  // The energy of the curvatures t_i t_iᵀ and t_j t_jᵀ, for a rigidity of 1.
+  const auto energy_of = [&](std::size_t i, std::size_t j) {
+    const double nu = input.poisson_ratio, cosine = face.inwards[i].dot(face.inwards[j]);
+    if (input.directed == nullptr) return (1 - nu) * cosine * cosine + nu;
+    const Vector3& warp = input.directed->warp[static_cast<std::size_t>(face.triangle)];
+    const Vector2 axis(warp.dot(face.x), warp.dot(face.y));
+    const auto curvature_of = [&](std::size_t k) -> Eigen::Vector3d {
+      const double c = face.inwards[k].dot(axis),
+                   s = axis.x() * face.inwards[k].y() - axis.y() * face.inwards[k].x();
+      return {c * c, s * s, 2 * c * s};
+    };
+    const OrthotropicRigidity& rigidity = input.directed->rigidity;
+    return rigidity.product(curvature_of(i), curvature_of(j)) / rigidity.mean();
+  };
   Eigen::Matrix3d energy;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      const double cosine = face.inwards[i].dot(face.inwards[j]);
+    for (std::size_t j = 0; j < 3; ++j)
       energy(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          face.area * curvature[i] * curvature[j] * ((1 - poisson_ratio) * cosine * cosine + poisson_ratio);
-    }
+          face.area * curvature[i] * curvature[j] * energy_of(i, j);
   const Eigen::Matrix3d u = energy.llt().matrixU();
   return {u(0, 0), u(0, 1), u(0, 2), u(1, 1), u(1, 2), u(2, 2)};
 }
@@ -112,7 +125,7 @@ ElementList<FoldBend> fold_constraints(const BendingInput& input, FoldBend::Law 
       // The turn of a border is always 0, so any curvature will do.
       c[i] = is_border ? 2 / (face.height[i] * face.height[i]) : curvature(face, i);
     }
-    std::ranges::copy(upper_factor(face, c, input.poisson_ratio), rest.begin() + 6);
+    std::ranges::copy(upper_factor(face, c, input), rest.begin() + 6);
     rest[12] = std::sqrt(2 * face.area);
     const std::array<int, 6> corner = {face.beyond[0],   face.beyond[1],   face.beyond[2],
                                        face.vertices[0], face.vertices[1], face.vertices[2]};

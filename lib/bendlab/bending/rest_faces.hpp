@@ -17,6 +17,7 @@ enum class EdgeSide {
 };
 
 struct RestFace {
+  int triangle;  ///< index in the mesh
   std::array<int, 3> vertices;
   std::array<int, 3> beyond;  ///< the vertex beyond edge i, which lies opposite vertices[i]; else vertices[i]
   std::array<int, 3> edge;    ///< index of edge i among all edges
@@ -25,7 +26,8 @@ struct RestFace {
       turns;  ///< +1 or -1: the two triangles of an edge differ, unless one lies upside down
   std::array<double, 3> height;         ///< of the triangle above edge i, m
   std::array<double, 3> height_beyond;  ///< of the neighbour above edge i, m; 0 at a border
-  std::array<Vector2, 3> inwards;       ///< t_i in coordinates of the triangle's plane
+  std::array<Vector2, 3> inwards;       ///< t_i in coordinates of the triangle's plane, along x and y
+  Vector3 x, y;                         ///< unit: along the triangle's first edge, and across it
   double area;                          ///< m²
 };
 
@@ -39,8 +41,9 @@ int edge_count(const std::vector<RestFace>& faces);
 ElementList<FoldBend> fold_constraints(const BendingInput& input, FoldBend::Law law, double share,
                                        const std::function<double(const RestFace&, std::size_t)>& curvature);
 
-/// U of face_bend.hpp for one triangle, in the order of its rest values. `curvature`: c_i of each edge.
+/// U of face_bend.hpp for one triangle, in the order of its rest values. `curvature`: c_i of each edge. If
+/// the sheet's rigidity depends on the direction, U has this rigidity divided by its mean.
 std::array<double, 6> upper_factor(const RestFace& face, const std::array<double, 3>& curvature,
-                                   double poisson_ratio);
+                                   const BendingInput& input);
 
 }  // namespace bendlab

@@ -26,6 +26,31 @@ double mean(const ByDirection& values) {
   return sum / bending_directions;
 }
 
+ByDirection all_alike() {
+  ByDirection ones;
+  ones.fill(1);
+  return ones;
+}
+
+double value_at(const ByDirection& values, double angle) {
+  double sum = 0;
+  for (std::size_t d = 0; d < bending_directions; ++d) {
+    const double between = angle - std::numbers::pi * static_cast<double>(d) / bending_directions;
+    double kernel = 1;
+    for (int harmonic = 2; harmonic < static_cast<int>(bending_directions); harmonic += 2)
+      kernel += 2 * std::cos(harmonic * between);
+    sum += values[d] * kernel / bending_directions;
+  }
+  return sum;
+}
+
+std::vector<BendingFact> facts_by_direction(double warp, double weft, double bias) {
+  return {
+      {"share_of_warp", warp, "share of the stated rigidity that the sheet has along the warp"},
+      {"share_of_weft", weft, "share of the stated rigidity that the sheet has along the weft"},
+      {"share_of_bias", bias, "share of the stated rigidity that the sheet has at 45 degrees to the warp"}};
+}
+
 void StiffnessFit::add(double& softness, const ByDirection& energy, const Shares& shares) {
   // An energy that is zero except for rounding must not count. Near a clamp, a vertex may have no other
   // energy in a direction, and the fit would then scale the rounding error up to the wanted energy.
@@ -69,7 +94,10 @@ void StiffnessFit::improve(const std::vector<double>& wanted) {
   constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
   for (std::size_t v = 0; v < vertices_; ++v)
-    for (double& value : ratio[v]) value = wanted[v] > 0 && value > 0 ? wanted[v] / value : 0;
+    for (std::size_t d = 0; d < bending_directions; ++d) {
+      double& value = ratio[v][d];
+      value = wanted[v] > 0 && value > 0 ? wanted[v] * shape_[d] / value : 0;
+    }
   for (std::size_t c = 0; c < softness_.size(); ++c) {
     double sum = 0, weight = 0;
     for (const Share& share : shares(c)) {
@@ -102,18 +130,30 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
   }
   for (std::size_t c = 0; c < softness_.size(); ++c)
     for (const double e : energy(c)) own += e, calibrated += factor_[c] * e;
-  const auto [least, most] = std::minmax_element(total.begin(), total.end());
   const double reached = area - unreached;
-  return {{name + "_factor", own > 0 ? calibrated / own : 0,
-           "mean factor of the fit on the model's own stiffnesses (at a compliance of 1)"},
-          {name + "_rms", reached > 0 ? std::sqrt(squares / reached) : 0,
-           "relative error of a vertex's bending energy, averaged over directions: RMS over free vertices"},
-          {name + "_worst", worst,
-           "relative error of a vertex's bending energy, averaged over directions: largest value"},
-          {name + "_anisotropy", mean(total) > 0 ? (*most - *least) / mean(total) : 0,
-           "(largest - smallest) / mean over directions of the bending energy of all free vertices"},
-          {name + "_unreached", area > 0 ? unreached / area : 0,
-           "share of the free vertices' area where no constraint resists bending"}};
+  const auto share = [&](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180;
+    return reached > 0 ? value_at(total, angle) / (reached * value_at(shape_, angle)) : 0;
+  };
+  const bool by_direction = shape_ != all_alike();
+  const auto directed =
+      by_direction ? facts_by_direction(share(0), share(90), share(45)) : std::vector<BendingFact>{};
+  for (std::size_t d = 0; d < bending_directions; ++d) total[d] /= shape_[d];
+  const auto [least, most] = std::minmax_element(total.begin(), total.end());
+  std::vector<BendingFact> all = {
+      {name + "_factor", own > 0 ? calibrated / own : 0,
+       "mean factor of the fit on the model's own stiffnesses (at a compliance of 1)"},
+      {name + "_rms", reached > 0 ? std::sqrt(squares / reached) : 0,
+       "relative error of a vertex's bending energy, averaged over directions: RMS over free vertices"},
+      {name + "_worst", worst,
+       "relative error of a vertex's bending energy, averaged over directions: largest value"},
+      {name + "_anisotropy", mean(total) > 0 ? (*most - *least) / mean(total) : 0,
+       "(largest - smallest) / mean over directions of the bending energy of all free vertices, relative to "
+       "the stated energy"},
+      {name + "_unreached", area > 0 ? unreached / area : 0,
+       "share of the free vertices' area where no constraint resists bending"}};
+  all.insert(all.end(), directed.begin(), directed.end());
+  return all;
 }
 
 void StiffnessFit::fit(const std::vector<double>& wanted) {

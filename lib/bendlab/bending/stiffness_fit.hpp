@@ -28,6 +28,16 @@ ByDirection in_all_directions(const Energy& energy) {
 
 double mean(const ByDirection& values);
 
+/// 1 in every direction.
+ByDirection all_alike();
+
+/// The value at an angle (rad) between the sampled directions. Exact for the harmonics 0, 2, … 8.
+double value_at(const ByDirection& values, double angle);
+
+/// Which shares of the stated rigidities along the warp, along the weft and at 45 degrees (the bias) the
+/// sheet has: facts share_of_warp, share_of_weft, share_of_bias.
+std::vector<BendingFact> facts_by_direction(double warp, double weft, double bias);
+
 /// The part of a constraint's energy that belongs to a vertex.
 struct Share {
   int vertex;
@@ -39,7 +49,9 @@ using Shares = std::vector<Share>;
 /// and the shares of the vertices in this energy.
 class StiffnessFit {
  public:
-  explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
+  /// `shape`: the wanted energy in each direction, divided by its mean over the directions.
+  explicit StiffnessFit(int vertices, const ByDirection& shape = all_alike())
+      : vertices_(static_cast<std::size_t>(vertices)), shape_(shape) {}
 
   /// `energy` is the constraint's energy at its current softness. The reference `softness` must stay valid
   /// until meet().
@@ -52,7 +64,8 @@ class StiffnessFit {
   bool empty() const { return softness_.empty() && without_energy_.empty(); }
   std::size_t size() const { return softness_.size(); }  ///< constraints with bending energy
 
-  /// Sets every softness. `wanted` (#V): wanted energy of each vertex at κ = 1; 0: any energy is accepted.
+  /// Sets every softness. `wanted` (#V): wanted energy of each vertex at κ = 1, mean over directions; 0: any
+  /// energy is accepted.
   /// `usual`: the stiffness of constraints without bending energy if no constraint has bending energy.
   /// Returns facts, named `name`_…, about the quality of the fit.
   std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name) {
@@ -84,6 +97,7 @@ class StiffnessFit {
   std::vector<BendingFact> facts(const std::vector<double>& wanted, const std::string& name) const;
 
   std::size_t vertices_;
+  ByDirection shape_;
   std::vector<double*> softness_, without_energy_;
   std::vector<double> energy_;  // by constraint and direction
   std::vector<std::size_t> first_share_ = {0};

@@ -96,6 +96,8 @@ StrainBatch<Real> make_strain_batch(const StrainConstraints& list, BatchOrder or
   const auto entry = [&](std::size_t e, Real padding) {
     return lane_values<Real>(order, padding, [&](std::size_t c) { return list.inverse_rest[c][e]; });
   };
+  if (!list.softness.empty())
+    batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
   batch.q00 = entry(0, 1), batch.q01 = entry(1, 0), batch.q10 = entry(2, 0), batch.q11 = entry(3, 1);
   batch.order = std::move(order);
   return batch;
@@ -114,6 +116,17 @@ ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, Batch
         lane_values<Real>(order, padding_of<Real, Kind>(), [&](std::size_t c) { return list.rest[c][i]; });
   batch.softness = lane_values<Real>(order, Real(1),
                                      [&](std::size_t c) { return nearest_number<Real>(list.softness[c]); });
+  if (const MomentLaws& moment = list.moment; !moment.empty()) {
+    batch.softening = moment.softening;
+    batch.length = lane_values<Real>(
+        order, Real(0), [&](std::size_t c) { return moment.length.empty() ? 0 : moment.length[c]; });
+    const Real never = std::numeric_limits<Real>::infinity();
+    batch.yield = lane_values<Real>(order, never, [&](std::size_t c) {
+      return moment.yield.empty() ? static_cast<double>(never) : moment.yield[c];
+    });
+    batch.hardening = lane_values<Real>(
+        order, Real(0), [&](std::size_t c) { return moment.yield.empty() ? 0 : moment.hardening[c]; });
+  }
   batch.order = std::move(order);
   return batch;
 }

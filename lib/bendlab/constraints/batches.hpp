@@ -152,10 +152,11 @@ constexpr Real area_softness(StrainForm form, Real area) {
 template <class Real>
 struct StrainBatch {
   BatchOrder order;
-  LargeArray<int> a, b, c;              ///< offset_of() each corner
-  LargeArray<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
-  LargeArray<Real> softness;            ///< of each lane, times `compliance`, for add_forces(); empty: 1
-  LargeArray<Real> multiplier;          ///< λ of all warps, then wefts, shears and areas; XPBD only
+  LargeArray<int> a, b, c;                        ///< offset_of() each corner
+  LargeArray<Real> q00, q01, q10, q11;            ///< inverse of Q, 1/m
+  LargeArray<Real> softness;                      ///< of each lane, times `compliance`; empty: 1
+  std::array<Real, 3> term_softness = {1, 1, 1};  ///< of warp, weft and shear, times `compliance`
+  LargeArray<Real> multiplier;  ///< λ of all warps, then wefts, shears and areas; XPBD only
   StrainForm form = StrainForm::normalised;
   StiffnessKind kind = StiffnessKind::k;
   /// Fractions per projection (XPBD: 0 switches a term off). For StrainForm::stvk, `area` is ν / (1 - ν).

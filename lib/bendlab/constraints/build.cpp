@@ -30,7 +30,7 @@ std::vector<char> dispensable_triangles(const RestMesh& rest) {
 
 StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
                                      const std::vector<InverseRest>& inverse_rest,
-                                     const std::vector<char>& off) {
+                                     const std::vector<char>& off, const std::vector<double>& factor) {
   StrainConstraints list;
   for (int t = 0; t < rest.triangle_count(); ++t) {
     const auto corner = rest.triangles().row(t);
@@ -38,6 +38,7 @@ StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
     if (pins.pinned(corner(0)) && pins.pinned(corner(1)) && pins.pinned(corner(2))) continue;
     list.vertices.push_back({corner(0), corner(1), corner(2)});
     list.inverse_rest.push_back(inverse_rest[static_cast<std::size_t>(t)]);
+    if (!factor.empty()) list.softness.push_back(1 / factor[static_cast<std::size_t>(t)]);
   }
   return list;
 }
@@ -52,12 +53,13 @@ DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins) {
   return list;
 }
 
-std::vector<double> lumped_masses(const RestMesh& rest, double density) {
+std::vector<double> lumped_masses(const RestMesh& rest, double density, const std::vector<double>& factor) {
   std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0);
   for (int t = 0; t < rest.triangle_count(); ++t)
     for (int c = 0; c < 3; ++c)
       mass[static_cast<std::size_t>(rest.triangles()(t, c))] +=
-          density * rest.areas()[static_cast<std::size_t>(t)] / 3;
+          density * (factor.empty() ? 1 : factor[static_cast<std::size_t>(t)]) *
+          rest.areas()[static_cast<std::size_t>(t)] / 3;
   const std::vector<char> sound = on_sound_triangles(rest, triangles_without_area(rest.mesh()));
   constexpr double least = 0.01;  // of the mean: light compared with the neighbours, but PBD still converges
   const double mean = std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(mass.size());

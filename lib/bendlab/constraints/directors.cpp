@@ -24,13 +24,22 @@ class Relaxation {
 
   bool has_unknowns() const { return free_ > 0; }
 
-  // Improves the directors among `points` (#P by 3). Returns the longest move, m.
+  // Improves the directors among `points` (#P by 3). Returns the longest move, m. In a strongly bent sheet
+  // the search takes tens of steps without the second derivatives of constraints. With them the matrix may
+  // not be definite, and a step may go uphill; then the step is found without them.
   double improve(Positions& points) {
+    for (const bool second : {true, false})
+      if (const double longest = improve(points, second); longest > 0) return longest;
+    return 0;
+  }
+
+ private:
+  double improve(Positions& points, bool second) {
     slope_.setZero(free_);
     entries_.clear();
     for (int u = 0; u < free_; ++u) entries_.emplace_back(u, u, 0);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
-      if constexpr (directors_of < Kind >> 0) add(list, points);
+      if constexpr (directors_of < Kind >> 0) add(list, points, second);
     });
     add_own(points);
     Eigen::SparseMatrix<double> matrix(free_, free_);
@@ -41,10 +50,10 @@ class Relaxation {
     if (!is_analysed_) solver_.analyzePattern(matrix), is_analysed_ = true;
     solver_.factorize(matrix);
     if (solver_.info() != Eigen::Success) return 0;
-    return move(points, -solver_.solve(slope_).eval());
+    const Eigen::VectorXd step = -solver_.solve(slope_);
+    return step.dot(slope_) < 0 ? move(points, step) : 0;
   }
 
- private:
   double energy(const Positions& points) const {
     double sum = elastic_energy(own_, points);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
@@ -61,23 +70,67 @@ class Relaxation {
   }
 
   template <class Kind>
-  void add(const ElementList<Kind>& list, const Positions& points) {
+  void add(const ElementList<Kind>& list, const Positions& points, bool second) {
+    constexpr std::size_t first = Kind::arity - Kind::directors;
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto p = corners(points, list.vertices[c]);
-      for (std::size_t k = 0; k < Kind::components; ++k) {
+      std::array<std::array<double, Kind::directors>, Kind::components> slopes{};  // of C_k
+      std::array<double, Kind::components> values{};                               // C_k
+      bool defined = true;
+      for (std::size_t k = 0; k < Kind::components && defined; ++k) {
         const auto part = Kind::template component<double>(p, list.rest[c], list.law, k);
-        if (!part.defined) break;
-        for (std::size_t i = Kind::arity - Kind::directors; i < Kind::arity; ++i) {
-          const int row = unknown(list.vertices[c][i], 0);
-          if (row < 0) continue;
-          const double slope = part.gradient[i].x() / list.softness[c];
-          slope_(row) += part.value * slope;
-          for (std::size_t j = Kind::arity - Kind::directors; j < Kind::arity; ++j)
-            if (const int column = unknown(list.vertices[c][j], 0); column >= 0)
-              entries_.emplace_back(row, column, slope * part.gradient[j].x());
+        defined = part.defined, values[k] = part.value;
+        for (std::size_t i = 0; i < Kind::directors; ++i) slopes[k][i] = part.gradient[first + i].x();
+      }
+      if (!defined) continue;
+      std::array<double, Kind::directors> slope{};  // of ½ |C|²
+      double squared = 0;
+      for (std::size_t k = 0; k < Kind::components; ++k) {
+        squared += values[k] * values[k];
+        for (std::size_t i = 0; i < Kind::directors; ++i) slope[i] += values[k] * slopes[k][i];
+      }
+      const double value = std::sqrt(squared), secant = secant_of(list, c, value);
+      // The slope of the secant, divided by |C|, from a difference quotient.
+      constexpr double share = 1e-6;
+      const double bend =
+          second && value > 0 ? (secant_of(list, c, (1 + share) * value) - secant) / (share * squared) : 0;
+      std::array<double, Kind::directors> curvature{};  // Σ C_k C_k''
+      if (second) curvature = second_of(list, c, p, values, slope);
+      for (std::size_t i = 0; i < Kind::directors; ++i) {
+        const int row = unknown(list.vertices[c][first + i], 0);
+        if (row < 0) continue;
+        slope_(row) += secant * slope[i] / list.softness[c];
+        for (std::size_t j = 0; j < Kind::directors; ++j) {
+          const int column = unknown(list.vertices[c][first + j], 0);
+          if (column < 0) continue;
+          double entry = bend * slope[i] * slope[j] + (i == j ? secant * curvature[i] : 0);
+          for (std::size_t k = 0; k < Kind::components; ++k) entry += secant * slopes[k][i] * slopes[k][j];
+          entries_.emplace_back(row, column, entry / list.softness[c]);
         }
       }
     }
+  }
+
+  template <class Kind>
+  static double secant_of(const ElementList<Kind>& list, std::size_t c, double value) {
+    return list.moment.empty() ? 1 : resistance(list.moment, c, value).secant;
+  }
+
+  // Σ C_k C_k'' for each director of an element, from a difference quotient. A component is a sum of
+  // functions of one director each, so all directors are moved together. `slope`: Σ C_k C_k'.
+  template <class Kind, class Corners>
+  static auto second_of(const ElementList<Kind>& list, std::size_t c, Corners p,
+                        const std::array<double, Kind::components>& values,
+                        const std::array<double, Kind::directors>& slope) {
+    constexpr std::size_t first = Kind::arity - Kind::directors;
+    std::array<double, Kind::directors> second{};
+    const double apart = 1e-6 * (p[first - 1] - p[first - 2]).norm();  // of an edge, m
+    for (std::size_t i = first; i < Kind::arity; ++i) p[i].x() += apart;
+    const auto there = Kind::template weighted_components<double>(p, list.rest[c], list.law, values);
+    if (apart > 0 && there.defined)
+      for (std::size_t i = 0; i < Kind::directors; ++i)
+        second[i] = (there.gradient[first + i].x() - slope[i]) / apart;
+    return second;
   }
 
   void add_own(const Positions& points) {
@@ -159,7 +212,7 @@ Positions joined(const Positions& vertices, const Positions& directors) {
 Positions relaxed_directors(const Directors& directors, const ElementLists& elements, const OwnElements& own,
                             const Positions& vertices, const Positions& start) {
   if (directors.count() == 0) return start;
-  constexpr int most_iterations = 50;
+  constexpr int most_iterations = 20;  // a fold takes 6; in a random pose the search may not end
   Positions points =
       joined(vertices, directors.coordinates == 3 ? upright_normals(directors, own, vertices, start) : start);
   if (!points.allFinite()) return start;

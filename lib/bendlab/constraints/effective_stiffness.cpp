@@ -63,16 +63,21 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& s
                                        state.positions[index_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // As in oracle.cpp: α = compliance / A0.
-    const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
+    const double softness = batch.softness.empty() ? 1 : static_cast<double>(batch.softness[lane]);
+    const double alpha =
+        compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]) * softness;
     const double stretch_alpha = stretch_softness(batch.form) * alpha;
+    std::array<double, 3> softer;
+    for (std::size_t i = 0; i < 3; ++i) softer[i] = static_cast<double>(batch.term_softness[i]);
     const auto add_term = [&](std::size_t term, Real k, const ConstraintValue<double, 3>& c,
                               double term_alpha) {
       if (k != 0)
         add(work, c, static_cast<double>(batch.multiplier[term * count + lane]), term_alpha, state.rounding);
     };
-    add_term(0, batch.warp, stretch_constraint(p, q, 0, batch.form), stretch_alpha);
-    add_term(1, batch.weft, stretch_constraint(p, q, 1, batch.form), stretch_alpha);
-    add_term(2, batch.shear, shear_constraint(p, q, batch.form), shear_softness(batch.form) * alpha);
+    add_term(0, batch.warp, stretch_constraint(p, q, 0, batch.form), softer[0] * stretch_alpha);
+    add_term(1, batch.weft, stretch_constraint(p, q, 1, batch.form), softer[1] * stretch_alpha);
+    add_term(2, batch.shear, shear_constraint(p, q, batch.form),
+             softer[2] * shear_softness(batch.form) * alpha);
     if (batch.area != 0)
       add_term(3, batch.area, area_term(p, q, batch.form),
                area_softness(batch.form, static_cast<double>(batch.area)) * alpha);
@@ -189,9 +194,13 @@ void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const 
     std::array<double, Kind::rest_values> rest;
     for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = state.positions[index_at(batch.corner[i][lane])];
     for (std::size_t i = 0; i < Kind::rest_values; ++i) rest[i] = static_cast<double>(batch.rest[i][lane]);
-    const double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, state.substep);
-    add(work, Kind::value(p, rest, batch.law), static_cast<double>(batch.multiplier[lane]), alpha,
-        state.rounding);
+    const auto c = Kind::value(p, rest, batch.law);
+    double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, state.substep);
+    if (!batch.is_linear())
+      alpha /= resistance(batch.softening, std::abs(c.value), static_cast<double>(batch.length[lane]),
+                          static_cast<double>(batch.yield[lane]), static_cast<double>(batch.hardening[lane]))
+                   .secant;
+    add(work, c, static_cast<double>(batch.multiplier[lane]), alpha, state.rounding);
   });
 }
 

@@ -157,6 +157,18 @@ struct Leverage {
   }
 };
 
+// ψ' α / C of the lanes (moment_law.hpp). A separate function, because most scenes never call it.
+template <class Batch, class Real>
+[[gnu::noinline]] Pack<Real> secants(const Batch& batch, std::size_t lane, const Pack<Real>& value) {
+  Pack<Real> all = broadcast<Real>(1);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(lanes<Real>); ++i)
+    all[i] =
+        static_cast<Real>(resistance(batch.softening, std::abs(static_cast<double>(value[i])),
+                                     batch.length[lane + i], batch.yield[lane + i], batch.hardening[lane + i])
+                              .secant);
+  return all;
+}
+
 // PBD: a projection removes the fraction k of C.
 template <class Real>
 struct PbdStiffness {
@@ -185,8 +197,10 @@ struct XpbdStiffness {
                                    const typename Kernel::Rest& rest, const typename Kernel::Batch& batch,
                                    std::size_t lane) const {
     const Pack<Real> zero{}, one = broadcast<Real>(1);
-    const Pack<Real> alpha = compliance_over_h2 * bendlab::load(&batch.softness[lane]),
-                     multiplier = bendlab::load(&batch.multiplier[lane]);
+    const Pack<Real> multiplier = bendlab::load(&batch.multiplier[lane]);
+    Pack<Real> alpha = compliance_over_h2 * bendlab::load(&batch.softness[lane]);
+    if (!batch.is_linear()) [[unlikely]]
+      alpha = alpha / secants<typename Kernel::Batch, Real>(batch, lane, c.value);
     const PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
     const Pack<Real> w = acts ? leverage.weighted : one;
     return acts ? Kernel::change(c.value, rest, w, alpha, multiplier) : zero;
@@ -321,7 +335,9 @@ void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const t
     const auto offsets = offsets_at(batch.corner, lane);
     auto force = gather(forces, offsets);
     const auto c = Kernel::evaluate(gather(points, offsets), load(batch.rest, lane));
-    const Pack<Real> alpha = batch.compliance * bendlab::load(&batch.softness[lane]);
+    Pack<Real> alpha = batch.compliance * bendlab::load(&batch.softness[lane]);
+    if (!batch.is_linear()) [[unlikely]]
+      alpha = alpha / secants<typename Kernel::Batch, Real>(batch, lane, c.value);
     const auto acts = c.defined & (alpha > zero);
     const Pack<Real> multiplier = acts ? c.value / (acts ? alpha : one) : zero;
     for (std::size_t i = 0; i < force.size(); ++i)

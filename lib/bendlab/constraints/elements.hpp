@@ -35,6 +35,11 @@
 //     static double energy(C, rest, law);                        // times the compliance
 //     static Potential potential(C, rest, law);                  // energy and derivatives by C, for C ≤ 0
 //     static double change(C, rest, law, w, alpha, multiplier);  // Δλ of a projection, w = Σ w|∇C|²
+//
+// A kind whose elements can yield (moment_law.hpp) has C of both signs, or components, and defines:
+//
+//     template <class Real>   // rest values with which C is `share` times the present C
+//     static std::array<Real, rest_values> moved_rest(points, rest, law, share);
 #pragma once
 
 #include <array>
@@ -42,6 +47,7 @@
 #include <vector>
 
 #include "bendlab/constraints/batches.hpp"
+#include "bendlab/constraints/moment_law.hpp"
 
 namespace bendlab {
 
@@ -72,12 +78,20 @@ bool is_sum_of_squares(const std::array<double, Kind::rest_values>& rest, typena
     return HasComponents<Kind>;
 }
 
+/// A kind whose rest values can follow its value, as yielding needs.
+template <class Kind>
+concept Yields = requires(std::array<Vector3Of<double>, Kind::arity> p,
+                          std::array<double, Kind::rest_values> rest, typename Kind::Law law) {
+  Kind::template moved_rest<double>(p, rest, law, 0.5);
+};
+
 template <class Kind>
 struct ElementList {
   std::vector<std::array<int, Kind::arity>> vertices;       ///< #C
   std::vector<std::array<double, Kind::rest_values>> rest;  ///< #C, as the kind defines them
   std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
   typename Kind::Law law{};      ///< of all elements in the list
+  MomentLaws moment;             ///< empty: the energy of every element is ½ C² / α
 
   std::size_t size() const { return vertices.size(); }
 };
@@ -96,6 +110,10 @@ struct ElementBatch {
   std::size_t count = 0;
   /// Collapsed elements open towards this rest shape; null: collapsed elements do not open.
   const Point<Real>* rest_points = nullptr;
+  SofteningLaw softening;
+  LargeArray<Real> length, yield, hardening;  ///< by lane, as in MomentLaws; empty: every moment is linear
+
+  bool is_linear() const { return length.empty(); }
 };
 
 /// A batch from a list, in the given order. `vertex_count` is the index of the first dummy point.

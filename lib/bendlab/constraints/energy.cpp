@@ -33,6 +33,7 @@ double elastic_energy(const ElementList<Kind>& list, const Positions& positions)
     if (!value.defined) continue;
     double twice_of_element = value.value * value.value;
     if constexpr (OneSided<Kind>) twice_of_element = 2 * Kind::energy(value.value, list.rest[c], list.law);
+    if (!list.moment.empty()) twice_of_element = 2 * resistance(list.moment, c, value.value).energy;
     twice += twice_of_element / list.softness[c];
   }
   return 0.5 * twice;
@@ -45,17 +46,20 @@ double elastic_energy(const ElementLists& lists, const Positions& positions) {
 }
 
 double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions,
-                      double area_stiffness) {
+                      double area_stiffness, const std::array<double, 3>& term_softness) {
   double sum = 0;
   for (std::size_t t = 0; t < list.size(); ++t) {
     const std::array<double, 4>& q = list.inverse_rest[t];
     const auto p = corners(positions, list.vertices[t]);
-    const double area = 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
+    const double area =
+        0.5 / std::abs(q[0] * q[3] - q[1] * q[2]) / (list.softness.empty() ? 1 : list.softness[t]);
     const auto add = [&](const ConstraintValue<double, 3>& term, double softness) {
       if (term.defined) sum += 0.5 * area / softness * term.value * term.value;
     };
-    for (const int column : {0, 1}) add(stretch_constraint(p, q, column, form), stretch_softness(form));
-    add(shear_constraint(p, q, form), shear_softness(form));
+    for (const int column : {0, 1})
+      add(stretch_constraint(p, q, column, form),
+          term_softness[static_cast<std::size_t>(column)] * stretch_softness(form));
+    add(shear_constraint(p, q, form), term_softness[2] * shear_softness(form));
     if (form == StrainForm::stvk && area_stiffness > 0)
       add(trace_constraint(p, q), area_softness(form, area_stiffness));
   }

@@ -12,8 +12,8 @@
 // A is the rest area, and U a constant upper triangular matrix. Each edge may have a director, which turns
 // away from the mean of the two normals. The value of a director is d, in m; b d is its angle.
 //
-//   tangent, sine, angle   u_i = h_i f(φ_i), φ_i = a_i θ_i + b_i d_i, f by turn.hpp
-//   height                 u_i = a_i times the height of o_i above the triangle's plane
+//   tangent, sine, angle   u_i = h_i f(φ_i), φ_i = a_i θ_i + b_i d_i, f by turn.hpp; without directors: sine
+//   height                 u_i = a_i times the height of o_i above the triangle's plane; without directors
 //
 // a_i is ½ at an edge inside the sheet, where the director may split the fold in any ratio, 1 at an edge to a
 // clamped triangle, whose normal is the director, and 0 at the border of the sheet.
@@ -27,6 +27,10 @@
 #include "bendlab/constraints/value.hpp"
 
 namespace bendlab {
+
+/// How a fold enters the curvature of a triangle without directors.
+enum class FoldLaw { sine, height };
+inline constexpr std::array<std::string_view, 2> fold_law_names = {"sin", "height"};
 
 template <std::size_t director_count>
 struct FaceBend {
@@ -47,8 +51,26 @@ struct FaceBend {
     return rest[12];
   }
 
-  enum class Law { tangent, sine, angle, height };  ///< the first three as in Turn
-  static constexpr std::array<std::string_view, 4> law_names = {"tan", "sin", "theta", "height"};
+  using Law = std::conditional_t<(director_count > 0), Turn, FoldLaw>;
+  static constexpr auto law_names = [] {
+    if constexpr (director_count > 0)
+      return turn_names;
+    else
+      return fold_law_names;
+  }();
+  static constexpr bool is_height(Law law) {
+    if constexpr (director_count > 0)
+      return false;
+    else
+      return law == FoldLaw::height;
+  }
+  /// The measure of the turn, for a law that is not a height.
+  static constexpr Turn measure(Law law) {
+    if constexpr (director_count > 0)
+      return law;
+    else
+      return Turn::sine;
+  }
 
   template <class Real>
   using Points = std::array<Vector3Of<Real>, arity>;
@@ -89,6 +111,13 @@ struct FaceBend {
   /// C = |U (u - u_rest)|, so that ½ D C² is the whole energy. The gradient of an element at rest is 0.
   template <class Real>
   static ConstraintValue<Real, arity> value(const Points<Real>& p, const Rest<Real>& rest, Law law);
+
+  template <class Real>
+  static Rest<Real> moved_rest(const Points<Real>& p, Rest<Real> rest, Law law, Real share) {
+    const Turns<Real> now = all_turns<Real>(p, rest, law);
+    for (std::size_t i = 0; now.defined && i < 3; ++i) rest[3 + i] += (1 - share) * now.beyond_rest[i];
+    return rest;
+  }
 
   /// The three turns at these positions, m.
   static std::array<double, 3> turns(const Points<double>& p, const Rest<double>& rest, Law law);
@@ -147,7 +176,7 @@ typename FaceBend<N>::template EdgeTurn<Real> FaceBend<N>::edge_turn(const Point
     angle = std::atan2(sine, cosine);
     turn.foot_beyond = offset.dot(e) / squared;
   }
-  if (law == Law::height) {
+  if (is_height(law)) {
     turn.value = share * height_beyond * sine;
     turn.tilt = share * height_beyond * cosine / height * normal;
     turn.lift = share * normal;
@@ -155,7 +184,7 @@ typename FaceBend<N>::template EdgeTurn<Real> FaceBend<N>::edge_turn(const Point
   }
   Real whole = share * angle;
   if constexpr (N > 0) whole += rest[13 + i] * p[6 + i].x();
-  const TurnValue<Real> f = turn_of(static_cast<Turn>(law), whole);
+  const TurnValue<Real> f = turn_of(measure(law), whole);
   turn.value = height * f.value;
   turn.tilt = f.value * inwards + share * f.slope * normal;
   turn.lift = share * height * f.slope / height_beyond * normal_beyond;

@@ -43,7 +43,7 @@ BENDLAB_INLINE PackEdgeTurn<Real> edge_turn(const std::array<PackPoints<Real>, K
   const P height_beyond = folds ? square_beyond * per_area * per_length : one;
   const P sine = dot(normal_beyond, inwards), cosine = folds ? dot(normal_beyond, normal) : one;
   turn.foot_beyond = folds ? dot(offset, e) * per_squared : zero;
-  if constexpr (law == Kind::Law::height) {
+  if constexpr (Kind::is_height(law)) {
     turn.value = share * height_beyond * sine;
     turn.tilt = scaled<Real>(share * height_beyond * cosine / height, normal);
     turn.lift = scaled<Real>(folds ? share : zero, normal);
@@ -51,7 +51,7 @@ BENDLAB_INLINE PackEdgeTurn<Real> edge_turn(const std::array<PackPoints<Real>, K
   } else {
     P whole = share * arc_tangent<Real>(sine, cosine);
     if constexpr (Kind::directors > 0) whole = whole + rest[13 + i] * p[6 + i].position.x;
-    const PackTurn<Real> f = pack_turn<Real, static_cast<Turn>(law)>(whole);
+    const PackTurn<Real> f = pack_turn<Real, Kind::measure(law)>(whole);
     turn.value = height * f.value;
     turn.tilt = scaled<Real>(f.value, inwards) + scaled<Real>(share * f.slope, normal);
     turn.lift = scaled<Real>(share * height * f.slope / height_beyond, normal_beyond);

@@ -41,6 +41,17 @@ struct HingeAngle {
   template <class Real>
   static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,
                                         const std::array<Real, 4>& rest, Law law);
+
+  /// Only for the law `angle`.
+  template <class Real>
+  static std::array<Real, 4> moved_rest(const std::array<Vector3Of<Real>, 4>& p, std::array<Real, 4> rest,
+                                        Law law, Real share) {
+    const ConstraintValue<Real, 4> c = value(p, rest, law);
+    if (!c.defined) return rest;
+    rest[0] += (1 - share) * c.value;
+    rest[2] = std::sin(rest[0] / 2), rest[3] = std::cos(rest[0] / 2);
+    return rest;
+  }
 };
 
 /// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). `defined` is false if the

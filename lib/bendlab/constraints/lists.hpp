@@ -39,6 +39,7 @@ struct StrainConstraints {
   std::vector<std::array<int, 3>> vertices;  ///< #C triples
   /// #C, inverse of Q row by row: {Q⁻¹(0,0), Q⁻¹(0,1), Q⁻¹(1,0), Q⁻¹(1,1)}, 1/m
   std::vector<std::array<double, 4>> inverse_rest;
+  std::vector<double> softness = {};  ///< #C, or empty (all 1), times the compliance
 
   std::size_t size() const { return vertices.size(); }
 };

@@ -133,8 +133,12 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
     const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|).
-    const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
-    const Real stretch_alpha = static_cast<Real>(stretch_softness(batch.form)) * alpha;
+    const Real softness = batch.softness.empty() ? Real(1) : batch.softness[lane];
+    const Real alpha =
+        batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]) * softness;
+    const auto stretch_alpha = [&](std::size_t axis) {
+      return static_cast<Real>(stretch_softness(batch.form)) * batch.term_softness[axis] * alpha;
+    };
     const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
     const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at,
                            int most_sizes = largest_move) {
@@ -161,10 +165,10 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
       };
     };
     const auto warp = stretch(0), weft = stretch(1);
-    apply(0, batch.warp, stretch_alpha, warp);
-    apply(1, batch.weft, stretch_alpha, weft);
+    apply(0, batch.warp, stretch_alpha(0), warp);
+    apply(1, batch.weft, stretch_alpha(1), weft);
     apply(
-        2, batch.shear, static_cast<Real>(shear_softness(batch.form)) * alpha,
+        2, batch.shear, static_cast<Real>(shear_softness(batch.form)) * batch.term_softness[2] * alpha,
         [&](const auto& x) { return shear_constraint(x, q, batch.form); },
         batch.form == StrainForm::normalised ? largest_published_move : largest_move);
     if (batch.area != 0)
@@ -210,11 +214,15 @@ void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
     std::array<int, Kind::arity> offsets;
     for (std::size_t i = 0; i < Kind::arity; ++i) offsets[i] = batch.corner[i][lane];
     const auto p = corners_at<Real>(places, offsets, directors_of<Kind>);
-    const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
+    Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
     const auto rest = rest_of(batch, lane);
     std::array<const Point<Real>*, Kind::arity> at_rest{};
     if (batch.rest_points != nullptr) at_rest = corners_of<Kind>(batch.rest_points, batch, lane);
     const auto c = opening(p, at_rest, [&](const auto& x) { return Kind::value(x, rest, batch.law); });
+    if (!batch.is_linear())
+      alpha /= static_cast<Real>(resistance(batch.softening, std::abs(static_cast<double>(c.value)),
+                                            batch.length[lane], batch.yield[lane], batch.hardening[lane])
+                                     .secant);
     const Real reach = largest_move * size_of(vectors_of<Real>(p), Kind::rest_size(rest), directors_of<Kind>);
     if constexpr (OneSided<Kind>) {
       if (compliant)

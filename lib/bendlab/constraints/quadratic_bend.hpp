@@ -35,7 +35,14 @@ struct VertexSum {
     norm,    ///< C = |Kx| - |Kx|_rest, ∇_i C = K_i Kx / |Kx|: ½C² is Bergou's energy, moment ∝ sin θ
     energy,  ///< C = ½|Kx|² - ½|Kx|²_rest, ∇_i C = K_i Kx, as libraries ship it: ½C² is quartic
   };
-  static constexpr std::array<std::string_view, 2> law_names = {"norm", "energy"};
+  /// LaplacianBend has only the law `norm`.
+  static constexpr auto law_names = [] {
+    constexpr std::array<std::string_view, 2> all = {"norm", "energy"};
+    if constexpr (N == 4)
+      return all;
+    else
+      return std::array{all[0]};
+  }();
 
   /// With a flat rest shape ½ |Kx|² is the sum of the squares of three linear functions. C = |Kx| has no
   /// second derivative at 0, that is in flat parts of a sheet.

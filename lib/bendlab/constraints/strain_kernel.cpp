@@ -47,7 +47,7 @@ struct TriangleLanes {
   const StrainBatch<Real>& batch;
   std::size_t lane;
   RestInverse<Real> q;
-  Pack<Real> alpha, stretch_alpha;                        // XPBD: α̃
+  Pack<Real> alpha;                                       // XPBD: α̃ of a term with the softness 1
   std::array<Pack<Real>, 4> multipliers{};                // XPBD: λ
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are defined
   // If Σ w|∇C|² / Σ|∇C|² is smaller, the gradient is only a rounding error (see least_lever).
@@ -122,6 +122,11 @@ struct TriangleLanes {
     return any(Stretch<Real>{q.q00, q.q10}.has_collapsed(t) | Stretch<Real>{q.q01, q.q11}.has_collapsed(t));
   }
 
+  template <StrainForm form>
+  BENDLAB_INLINE Pack<Real> stretch_alpha(std::size_t axis) const {
+    return static_cast<Real>(stretch_softness(form)) * batch.term_softness[axis] * alpha;
+  }
+
   template <StrainForm form, bool compliant, bool careful, bool split>
   BENDLAB_INLINE void project(Corners<Real, split>& t) {
     const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
@@ -129,11 +134,12 @@ struct TriangleLanes {
     Stretch<Real> warp{q.q00, q.q10}, weft{q.q01, q.q11};
     if constexpr (careful)
       warp.was_collapsed = warp.has_collapsed(t), weft.was_collapsed = weft.has_collapsed(t);
-    if (batch.warp != 0) apply<form, compliant, careful>(t, warp, batch.warp, stretch_alpha, 0);
-    if (batch.weft != 0) apply<form, compliant, careful>(t, weft, batch.weft, stretch_alpha, 1);
+    if (batch.warp != 0) apply<form, compliant, careful>(t, warp, batch.warp, stretch_alpha<form>(0), 0);
+    if (batch.weft != 0) apply<form, compliant, careful>(t, weft, batch.weft, stretch_alpha<form>(1), 1);
     if (batch.shear != 0)
-      apply<form, compliant, careful>(t, Shear<Real>{q}, batch.shear,
-                                      static_cast<Real>(shear_softness(form)) * alpha, 2);
+      apply<form, compliant, careful>(
+          t, Shear<Real>{q}, batch.shear,
+          static_cast<Real>(shear_softness(form)) * batch.term_softness[2] * alpha, 2);
     if (batch.area != 0)
       apply<form, compliant, careful>(t, Area<Real>{q, determinant}, batch.area,
                                       area_softness(form, batch.area) * alpha, 3);
@@ -168,7 +174,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
-    triangles.stretch_alpha = static_cast<Real>(stretch_softness(form)) * triangles.alpha;
+    if (!batch.softness.empty()) triangles.alpha = triangles.alpha * load(&batch.softness[lane]);
     for (std::size_t m = 0; m < 4; ++m) triangles.multipliers[m] = load(&batch.multiplier[m * count + lane]);
   }
   triangles.template project<form, compliant, careful>(t);
@@ -246,12 +252,14 @@ void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const S
     const RestInverse<Real> q(batch, lane);
     const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10),
                      softness = batch.softness.empty() ? broadcast<Real>(1) : load(&batch.softness[lane]),
-                     alpha = 2 * batch.compliance * softness * determinant,  // compliance / rest area
-        stretch_alpha = static_cast<Real>(stretch_softness(form)) * alpha;
-    if (batch.warp != 0) add_force(force, stretch<Real, form, false>(t, q.q00, q.q10), stretch_alpha);
-    if (batch.weft != 0) add_force(force, stretch<Real, form, false>(t, q.q01, q.q11), stretch_alpha);
-    if (batch.shear != 0)
-      add_force(force, shear<Real, form, false>(t, q), static_cast<Real>(shear_softness(form)) * alpha);
+                     alpha = 2 * batch.compliance * softness * determinant;  // compliance / rest area
+    constexpr Real stretch_scale = stretch_softness(form), shear_scale = shear_softness(form);
+    const std::array<Real, 3>& softer = batch.term_softness;
+    if (batch.warp != 0)
+      add_force(force, stretch<Real, form, false>(t, q.q00, q.q10), stretch_scale * softer[0] * alpha);
+    if (batch.weft != 0)
+      add_force(force, stretch<Real, form, false>(t, q.q01, q.q11), stretch_scale * softer[1] * alpha);
+    if (batch.shear != 0) add_force(force, shear<Real, form, false>(t, q), shear_scale * softer[2] * alpha);
     if (batch.area != 0)
       add_force(force, Area<Real>{q, determinant}.template term<form>(t),
                 area_softness(form, batch.area) * alpha);

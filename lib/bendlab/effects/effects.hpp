@@ -7,6 +7,7 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/pins.hpp"
+#include "bendlab/settings/schedule.hpp"
 
 namespace bendlab {
 
@@ -128,8 +129,8 @@ struct SelfCollision {
   static const EffectKind kind;
 };
 
-/// Settings of every load: it grows linearly to its full size.
-struct GrowingLoad {
+/// Settings of every load: it grows linearly to its full size, or follows keyframes.
+struct GrowingLoad : Schedule {
   double ramp = 0;  ///< s, until the load has its full size
 };
 

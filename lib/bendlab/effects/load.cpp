@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> spreads = {"equal", "length", "area"};
 
-constexpr std::array fields = {
+constexpr std::array own_fields = {
     field<&Load::vertices>({.name = "vertices",
                             .meaning = "vertices on which the load acts, by the names of /pins/vertices. If "
                                        "vertices and indices are empty, the load acts on all free vertices",
@@ -32,11 +32,8 @@ constexpr std::array fields = {
     field<&Load::follows>({.name = "follows",
                            .meaning = "whether the force turns with the cloth at its vertex. If false, the "
                                       "force keeps its direction (a dead load)"}),
-    field<&Load::ramp, Load>({.name = "ramp",
-                              .unit = "s",
-                              .meaning = "time in which the load grows linearly to its full size",
-                              .minimum = 0}),
 };
+constexpr auto fields = joined(own_fields, load_fields<Load>);
 
 // The share of the force at each of the vertices.
 std::vector<double> shares(const Load& settings, const std::vector<int>& vertices, const RestMesh& rest) {
@@ -82,7 +79,8 @@ Eigen::Matrix3d frame_of(const Vector3& a, const Vector3& b, const Vector3& c) {
 template <class Real>
 class Loading {
  public:
-  Loading(const Load& settings, const EffectInput& input) : force_(settings.force), ramp_(settings.ramp) {
+  Loading(const Load& settings, const EffectInput& input) : force_(settings.force), growth_(settings) {
+    check_schedule(settings);
     const std::vector<int> vertices = loaded_vertices(input, settings.vertices, settings.indices);
     share_ = shares(settings, vertices, input.rest);
     for (const int v : vertices) at_.push_back(input.permuted(v));
@@ -103,7 +101,7 @@ class Loading {
 
   void operator()(PassContext<Real>& context) const {
     State<Real>& state = context.state;
-    const double share = share_of_load(ramp_, context.time + static_cast<double>(context.substep));
+    const double share = share_of_load(growth_, context.time + static_cast<double>(context.substep));
     for (std::size_t i = 0; i < at_.size(); ++i) {
       const Real w = state.position[at_[i]].w;
       if (!(w > 0)) continue;
@@ -128,7 +126,7 @@ class Loading {
   }
 
   Vector3 force_;
-  double ramp_;
+  GrowingLoad growth_;
   std::vector<std::size_t> at_;
   std::vector<double> share_;
   std::vector<std::vector<Frame>> frames_;  // of each vertex; empty: a dead load
@@ -149,7 +147,7 @@ bool drives(const Load& settings) {
 }
 
 double largest_force(const Load& settings, double) {
-  return settings.force.norm();
+  return settings.largest() * settings.force.norm();
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "bendlab/effects/effects.hpp"
@@ -21,7 +23,7 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array own_fields = {
     field<&EdgeMoment::vertices>({.name = "vertices",
                                   .meaning =
                                       "vertices of the border on which the moment acts, by the names of "
@@ -40,12 +42,8 @@ constexpr std::array fields = {
                                     "in proportion to its length, which acts about the edge as a couple of "
                                     "forces on the triangle there. Above 0, the border turns to the side "
                                     "opposite to the normals of the triangles"}),
-    field<&EdgeMoment::ramp, EdgeMoment>(
-        {.name = "ramp",
-         .unit = "s",
-         .meaning = "time in which the moment grows linearly to its full size",
-         .minimum = 0}),
 };
+constexpr auto fields = joined(own_fields, load_fields<EdgeMoment>);
 
 struct Couple {
   std::size_t a, b, top;  // permuted, right-handed about the normal
@@ -79,11 +77,13 @@ std::vector<Couple> couples(const EdgeMoment& settings, const EffectInput& input
 
 template <class Real>
 std::vector<Pass<Real>> compile(const EdgeMoment& settings, const EffectInput& input) {
+  check_schedule(settings);
   if (settings.moment == 0) return {};
   return {{"moment", Stage::force,
-           [ramp = settings.ramp, all = couples(settings, input)](PassContext<Real>& context) {
+           [growth = static_cast<const GrowingLoad&>(settings),
+            all = couples(settings, input)](PassContext<Real>& context) {
              State<Real>& state = context.state;
-             const double share = share_of_load(ramp, context.time + static_cast<double>(context.substep));
+             const double share = share_of_load(growth, context.time + static_cast<double>(context.substep));
              for (const Couple& couple : all) {
                const auto p = [&](std::size_t v) -> Vector3 {
                  return state.position[v].vector().template cast<double>();
@@ -114,6 +114,11 @@ bool drives(const EdgeMoment& settings) {
   return !idle(settings);
 }
 
+// A force that does as much work along the sheet's side as the moment does in a turn.
+double largest_force(const EdgeMoment& settings, double area) {
+  return settings.largest() * 2 * std::numbers::pi * std::abs(settings.moment) / std::sqrt(area);
+}
+
 }  // namespace
 
 constinit const EffectKind EdgeMoment::kind{
@@ -124,10 +129,12 @@ constinit const EffectKind EdgeMoment::kind{
     .repeatable = true,
     .keeps_momentum = true,
     .keeps_angular_momentum = false,
+    .uses_sides = true,
     .force_follows_pose = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
     .idle = erased<idle>,
     .drives = erased<drives>,
+    .largest_force = erased<largest_force>,
 };
 }  // namespace bendlab

@@ -8,21 +8,19 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array fields = {
+constexpr std::array own_fields = {
     field<&Pressure::pressure>({.name = "pressure",
                                 .unit = "Pa",
                                 .meaning =
                                     "force per area of the deformed cloth. Above 0: along the normals of "
                                     "the triangles, which point to the side from which the corners run "
                                     "counterclockwise. Below 0: in the opposite direction"}),
-    field<&Pressure::ramp, Pressure>({.name = "ramp",
-                                      .unit = "s",
-                                      .meaning = "time in which the pressure grows linearly to its full size",
-                                      .minimum = 0}),
 };
+constexpr auto fields = joined(own_fields, load_fields<Pressure>);
 
 template <class Real>
 std::vector<Pass<Real>> compile(const Pressure& settings, const EffectInput& input) {
+  check_schedule(settings);
   if (settings.pressure == 0) return {};
   std::vector<std::array<std::size_t, 3>> triangles;
   for (int t = 0; t < input.rest.triangle_count(); ++t) {
@@ -33,7 +31,7 @@ std::vector<Pass<Real>> compile(const Pressure& settings, const EffectInput& inp
              State<Real>& state = context.state;
              const double pressure =
                  settings.pressure *
-                 share_of_load(settings.ramp, context.time + static_cast<double>(context.substep));
+                 share_of_load(settings, context.time + static_cast<double>(context.substep));
              for (const std::array<std::size_t, 3>& corner : triangles) {
                const auto p = [&](std::size_t c) { return state.position[corner[c]].vector(); };
                // A third of pressure · area · normal, with half of the cross product as area · normal.
@@ -55,7 +53,7 @@ bool drives(const Pressure& settings) {
 }
 
 double largest_force(const Pressure& settings, double area) {
-  return std::abs(settings.pressure) * area;
+  return settings.largest() * std::abs(settings.pressure) * area;
 }
 
 }  // namespace
@@ -66,6 +64,7 @@ constinit const EffectKind Pressure::kind{
     .source = "force p A n on each triangle, a third on each corner",
     .settings = table_of<Pressure>(fields),
     .repeatable = true,
+    .uses_sides = true,
     .force_follows_pose = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,

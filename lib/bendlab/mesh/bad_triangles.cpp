@@ -40,7 +40,7 @@ std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
       return mends ? "cut, the vertex doubled" : "kept as one vertex";
     case MeshProblemKind::inconsistent_orientation:
       return mends ? "turned to face the same side where possible"
-                   : "kept: the simulation does not depend on it";
+                   : "kept: the simulation depends on it only where a warning says so";
   }
   return {};
 }

@@ -12,8 +12,9 @@
 //                                                    no strain constraint
 //   edge of > 2 triangles      kept, without bending across the edge          cut: the vertices are doubled
 //   bow tie                    kept: one shared vertex                        cut: the vertex is doubled
-//   mixed orientation          kept: strain and bending do not depend on      turned to face the same side; a
-//                              orientation                                    Möbius band is cut across
+//   mixed orientation          kept: strain and most models do not depend     turned to face the same side; a
+//                              on it; effects and models that do (see          Möbius band is cut across
+//                              uses_sides) get a warning
 //   points nearer than         kept as separate vertices                      united to one vertex
 //   united_within · size
 //

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -111,14 +112,26 @@ void read_property(const Property& property, const ValueSource& next, std::vecto
   for (std::int64_t i = 0; i < count; ++i) values.push_back(next(*property.type));
 }
 
-void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup, PolygonList& polygons) {
+// The property that parse_ply_values() looks for, and where its values go.
+struct Wanted {
+  std::string_view property = {};
+  std::vector<double> of_points, of_triangles;
+};
+
+void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup, PolygonList& polygons,
+                  Wanted& wanted) {
   if (element.properties.empty()) return;
   std::vector<double> values;
   std::vector<std::int64_t> corners;
   for (std::size_t item = 0; item < element.count; ++item) {
     std::array<double, 3> point{};
+    double of_face = 0;
+    const std::size_t triangles_before = soup.triangles.size();
     for (const Property& property : element.properties) {
       read_property(property, next, values);
+      const bool is_wanted = property.name == wanted.property && !property.count_type;
+      if (is_wanted && element.name == "vertex") wanted.of_points.push_back(values[0]);
+      if (is_wanted && element.name == "face") of_face = values[0];
       const std::size_t axis = std::string_view("xyz").find(property.name);
       if (element.name == "vertex" && !property.count_type && property.name.size() == 1 && axis < 3)
         point[axis] = values[0];
@@ -129,7 +142,23 @@ void read_element(const Element& element, const ValueSource& next, PolygonSoup& 
       polygons.add(corners, item);
     }
     if (element.name == "vertex") soup.points.push_back(point);
+    if (element.name == "face" && !wanted.property.empty())
+      wanted.of_triangles.resize(wanted.of_triangles.size() + soup.triangles.size() - triangles_before,
+                                 of_face);
   }
+}
+
+// Throws if no point or face has the property, and lists the properties that they have.
+void require_wanted(const Header& header, std::string_view wanted) {
+  std::vector<std::string> known;
+  for (const Element& element : header.elements)
+    for (const Property& property : element.properties) {
+      if (property.count_type || (element.name != "vertex" && element.name != "face")) continue;
+      if (property.name == wanted) return;
+      known.push_back(fmt::format("{} ({})", property.name, element.name));
+    }
+  throw std::invalid_argument(fmt::format("no vertex and no face has a property '{}'; the file has {}",
+                                          wanted, fmt::join(known, ", ")));
 }
 
 void require(const Header& header, std::string_view element_name, std::string_view property_name) {
@@ -140,9 +169,7 @@ void require(const Header& header, std::string_view element_name, std::string_vi
       fmt::format("element {} with property {} is missing", element_name, property_name));
 }
 
-}  // namespace
-
-PolygonSoup parse_ply(std::string_view bytes) {
+PolygonSoup read_ply(std::string_view bytes, Wanted& wanted) {
   TextLines lines(bytes);
   const Header header = read_header(lines);
   for (const std::string_view axis : {"x", "y", "z"}) require(header, "vertex", axis);
@@ -159,9 +186,27 @@ PolygonSoup parse_ply(std::string_view bytes) {
                     header.format));
   PolygonSoup soup;
   PolygonList polygons(soup, "face");
-  for (const Element& element : header.elements) read_element(element, next, soup, polygons);
+  if (!wanted.property.empty()) require_wanted(header, wanted.property);
+  for (const Element& element : header.elements) read_element(element, next, soup, polygons, wanted);
   polygons.cut();
   return soup;
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(std::string_view bytes) {
+  Wanted nothing;
+  return read_ply(bytes, nothing);
+}
+
+PlyValues parse_ply_values(std::string_view bytes, std::string_view property) {
+  Wanted wanted{.property = property, .of_points = {}, .of_triangles = {}};
+  PlyValues values{.soup = read_ply(bytes, wanted), .of_points = {}, .of_triangles = {}};
+  if (!wanted.of_points.empty())
+    values.of_points = std::move(wanted.of_points);
+  else
+    values.of_triangles = std::move(wanted.of_triangles);
+  return values;
 }
 
 }  // namespace bendlab

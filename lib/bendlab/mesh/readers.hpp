@@ -11,6 +11,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "bendlab/mesh/soup.hpp"
 
@@ -20,5 +21,15 @@ PolygonSoup parse_obj(std::string_view bytes);
 PolygonSoup parse_off(std::string_view bytes);
 PolygonSoup parse_ply(std::string_view bytes);
 PolygonSoup parse_stl(std::string_view bytes);
+
+/// A property of a PLY file besides its points and faces: a value per point, or a value per triangle (a face
+/// with more than three corners gives its value to all of its triangles). The other list is empty.
+struct PlyValues {
+  PolygonSoup soup;
+  std::vector<double> of_points, of_triangles;
+};
+
+/// Throws std::invalid_argument also if the file has no such property; the text then lists its properties.
+PlyValues parse_ply_values(std::string_view bytes, std::string_view property);
 
 }  // namespace bendlab

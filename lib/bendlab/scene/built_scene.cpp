@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "bendlab/bending/calibration.hpp"
+#include "bendlab/bending/moment_laws.hpp"
 #include "bendlab/bending/push_bound.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
@@ -18,6 +19,7 @@
 #include "bendlab/mesh/refined.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/scene/initial_pose.hpp"
+#include "bendlab/scene/maps.hpp"
 #include "bendlab/scene/membrane.hpp"
 #include "bendlab/scene/rules.hpp"
 #include "bendlab/settings/names.hpp"
@@ -207,6 +209,16 @@ StiffnessKind kind_of(Stiffness stiffness) {
   return stiffness == Stiffness::physical ? StiffnessKind::compliance : static_cast<StiffnessKind>(stiffness);
 }
 
+// Of warp, weft and shear, relative to 1 / membrane_stiffness.
+std::array<double, 3> membrane_softness(const Strain& strain) {
+  const DirectedMembrane& membrane = strain.membrane;
+  if (strain.stiffness != Stiffness::physical || !membrane.is_given()) return {1, 1, 1};
+  const double warp = membrane.warp.value(), weft = membrane.weft.value(),
+               shear = membrane.shear.value_or(std::sqrt(warp * weft));
+  return {strain.membrane_stiffness / warp, strain.membrane_stiffness / weft,
+          strain.membrane_stiffness / shear};
+}
+
 StrainStiffness strain_stiffness(const Strain& strain, double poisson_ratio) {
   const StrainForm form = strain.form.value_or(StrainForm::angle);
   const double compliance =
@@ -222,7 +234,8 @@ StrainStiffness strain_stiffness(const Strain& strain, double poisson_ratio) {
           .weft = strain.weft,
           .shear = strain.shear,
           .area = strain.area,
-          .compliance = compliance};
+          .compliance = compliance,
+          .softness = membrane_softness(strain)};
 }
 
 // A physical stiffness is stored in the softness of each constraint, so the common compliance is 1.
@@ -232,10 +245,37 @@ BendingStiffness bending_stiffness(const Bending& bending) {
           .compliance = bending.stiffness == Stiffness::physical ? 1 : bending.compliance};
 }
 
+MomentTarget moment_target(const Bending& bending) {
+  MomentTarget target{.rigidity = bending.flexural_rigidity.value_or(0)};
+  const Softening& softening = bending.softening;
+  target.softening = {softening.half_at.value_or(0), softening.curvatures, softening.moments};
+  for (double& moment : target.softening.moments) moment /= target.rigidity;
+  if (const BendingFriction& friction = bending.hysteresis; friction.hb)
+    target.hysteresis =
+        Hysteresis{*friction.hb, friction.slip.value_or(0.2 * *friction.hb / target.rigidity)};
+  if (const BendingPlasticity& plasticity = bending.plasticity; plasticity.yield_at)
+    target.plasticity = Plasticity{*plasticity.yield_at, plasticity.hardening};
+  return target;
+}
+
+// Factors by place: #T each, or none.
+struct BendingFactors {
+  std::vector<double> rigidity, friction, yield;
+};
+
 // The model's constraints, calibrated if the stiffness is physical.
 BendingConstraints bending_constraints(const Bending& bending, double poisson_ratio, const RestMesh& rest,
-                                       const Pins& pins) {
+                                       const Pins& pins, const std::vector<InverseRest>& coordinates,
+                                       const BendingFactors& factors) {
   BendingInput input{rest, pins};
+  std::optional<DirectedSheet> directed;
+  if (bending.rigidity.is_given() && bending.stiffness == Stiffness::physical) {
+    directed =
+        DirectedSheet{orthotropic_rigidity(bending.rigidity.warp.value(), bending.rigidity.weft.value(),
+                                           bending.rigidity.bias, poisson_ratio),
+                      warp_axes(rest.mesh(), coordinates)};
+    input.directed = &*directed;
+  }
   input.poisson_ratio = poisson_ratio, input.is_flat = bending.rest_curvature == RestCurvature::flat;
   BendingConstraints constraints;
   try {
@@ -252,12 +292,21 @@ BendingConstraints bending_constraints(const Bending& bending, double poisson_ra
   const BendingKind& model = bending.model.kind();
   const bool at_curvature = model.springs_only && !model.prestressed;
   try {
-    calibrate(constraints, rest, pins,
-              {bending.flexural_rigidity, bending.quartic_coefficient,
-               at_curvature ? bending.at_curvature : std::nullopt,
-               model.springs_only ? Deflection::large : bending.deflection});
+    calibrate(
+        constraints, rest, pins,
+        {bending.flexural_rigidity, bending.quartic_coefficient,
+         at_curvature ? bending.at_curvature : std::nullopt,
+         model.springs_only ? Deflection::large : bending.deflection, input.directed, factors.rigidity});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
     throw ConfigError("physical stiffness", {{"/bending/stiffness", error.what()}});
+  }
+  try {
+    MomentTarget target = moment_target(bending);
+    target.rigidity_factor = factors.rigidity, target.friction_factor = factors.friction;
+    target.yield_factor = factors.yield;
+    set_moments(constraints, input, target);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError("moments", {{"/bending/model", error.what()}});
   }
   return constraints;
 }
@@ -268,12 +317,11 @@ void check_own_elements(const SimulationInput& input, const BendingKind& model) 
   for (const MethodKind* method : methods())
     if (method->takes_own_elements && !(model.needs_energy && method->needs_compliance.empty()))
       able.push_back(method->name);
-  throw ConfigError(
-      "solver method",
-      {{"/solver/method",
-        fmt::format("'{}' cannot simulate the bending elements of '{}', which have no kernel: "
-                    "choose one of the methods {}",
-                    input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
+  throw ConfigError("solver method",
+                    {{"/solver/method",
+                      fmt::format("'{}' cannot simulate the bending elements of '{}', which have no kernel: "
+                                  "choose one of the methods {}",
+                                  input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
 }
 
 void check_held(const SimulationInput& input) {
@@ -288,18 +336,39 @@ void check_held(const SimulationInput& input) {
 }
 
 // Lumped masses. The half of the cloth with the larger x is `density_ratio` times as heavy.
-std::vector<double> masses_of(const Material& material, const RestMesh& rest) {
+std::vector<double> masses_of(const Material& material, const RestMesh& rest,
+                              const std::vector<double>& factor) {
   const double density = material.density, ratio = material.density_ratio;
-  std::vector<double> mass = lumped_masses(rest, density);
+  std::vector<double> mass = lumped_masses(rest, density, factor);
   for (int t = 0; ratio != 1 && t < rest.triangle_count(); ++t) {
     const auto corner = rest.triangles().row(t);
     const double x = (rest.position(corner(0)) + rest.position(corner(1)) + rest.position(corner(2))).x() / 3;
     if (x <= rest.centre().x()) continue;
     for (const int v : corner)
-      mass[static_cast<std::size_t>(v)] +=
-          (ratio - 1) * density * rest.areas()[static_cast<std::size_t>(t)] / 3;
+      mass[static_cast<std::size_t>(v)] += (ratio - 1) * density *
+                                           (factor.empty() ? 1 : factor[static_cast<std::size_t>(t)]) *
+                                           rest.areas()[static_cast<std::size_t>(t)] / 3;
   }
   return mass;
+}
+
+// Throws if the stiffness depends on the direction, but the warp is perpendicular to all triangles.
+void expect_warp_in_sheet(const Scene& scene, const RestMesh& rest) {
+  const Vector3& warp = scene.material.warp_direction;
+  if (scene.material.coordinates != MaterialCoordinates::warp ||
+      !(scene.bending.rigidity.is_given() || scene.material.strain.membrane.is_given()))
+    return;
+  constexpr double perpendicular = 1e-3;  // sine of an angle
+  for (const auto& corner : rest.triangles().rowwise()) {
+    const Vector3 a = rest.position(corner(0)),
+                  normal = (rest.position(corner(1)) - a).cross(rest.position(corner(2)) - a);
+    if (normal.cross(warp).norm() > perpendicular * normal.norm() * warp.norm()) return;
+  }
+  throw ConfigError(
+      "/material/warp_direction",
+      {{"/material/warp_direction",
+        "is perpendicular to the sheet, so it is no direction of the warp: state a direction in "
+        "the sheet"}});
 }
 
 std::vector<InverseRest> material_coordinates(const Material& material, const TriangleMesh& mesh,
@@ -426,7 +495,16 @@ BuiltScene build_scene(const Scene& stated) {
   input.rest = rest.positions();
   input.origin = rest.centre();
   input.size = rest.size();
-  input.mass = masses_of(stated.material, rest);
+  const auto factors = [&](const MaterialMap& map, const char* pointer) {
+    try {
+      return factors_of(map, stated.mesh, rest, stated.folder, pointer);
+    } catch (const MeshFileError& error) {
+      if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+      throw;
+    }
+  };
+  input.mass =
+      masses_of(stated.material, rest, factors(stated.material.density_map, "/material/density_map"));
   input.is_pinned = scene.pins.is_pinned;
   input.held = scene.pins.held;
   if (!method.mesh_order) input.permutation = local_numbering(rest);
@@ -434,19 +512,29 @@ BuiltScene build_scene(const Scene& stated) {
                     .substeps = substeps_of(stated.solver),
                     .iterations = iterations_of(stated.solver),
                     .threads = stated.solver.threads};
+  expect_warp_in_sheet(stated, rest);
+  std::vector<InverseRest> coordinates;
+  if (method.membrane == Membrane::triangles || stated.bending.rigidity.is_given())
+    coordinates = material_coordinates(stated.material, rest.mesh(), scene.mesh_notes);
   if (method.membrane == Membrane::edges)
     input.edges = edge_springs(rest, scene.pins);
   else
-    input.strain = strain_constraints(
-        rest, scene.pins, material_coordinates(stated.material, rest.mesh(), scene.mesh_notes),
-        stated.mesh.bad_triangles == BadTriangles::membrane_off ? dispensable_triangles(rest)
-                                                                : std::vector<char>{});
+    input.strain = strain_constraints(rest, scene.pins, coordinates,
+                                      stated.mesh.bad_triangles == BadTriangles::membrane_off
+                                          ? dispensable_triangles(rest)
+                                          : std::vector<char>{},
+                                      factors(stated.material.strain.map, "/material/strain/map"));
   input.strain_stiffness = strain_stiffness(stated.material.strain, stated.material.poisson_ratio);
 
   const Bending& stated_bending = stated.bending;
   input.bending_stiffness = bending_stiffness(stated_bending);
+  input.strain_schedule = stated.material.strain.over_time;
+  input.bending_schedule = stated_bending.over_time;
   BendingConstraints bending =
-      bending_constraints(stated_bending, stated.material.poisson_ratio, rest, scene.pins);
+      bending_constraints(stated_bending, stated.material.poisson_ratio, rest, scene.pins, coordinates,
+                          {factors(stated_bending.map, "/bending/map"),
+                           factors(stated_bending.hysteresis_map, "/bending/hysteresis_map"),
+                           factors(stated_bending.plasticity_map, "/bending/plasticity_map")});
   const SolverSettings& settings = input.settings;
   const bool prestressed = stated_bending.model.kind().prestressed;
   if (method.projects && prestressed && stated_bending.stiffness == Stiffness::physical) {

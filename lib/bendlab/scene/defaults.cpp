@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "bendlab/scene/fabrics.hpp"
 #include "bendlab/scene/pointers.hpp"
 
 namespace bendlab {
@@ -92,7 +93,7 @@ bool given(const Json& settings, std::string_view section, std::initializer_list
 // that the config states. Empty if the config states /material/strain/stiffness, or none of the numbers.
 std::optional<Stiffness> meant_membrane(const Json& settings) {
   if (value_at(settings, "/material/strain/stiffness") != nullptr) return std::nullopt;
-  if (is_given(settings, "/material/strain/membrane_stiffness")) return Stiffness::physical;
+  if (given(settings, "/material/strain", {"membrane_stiffness", "membrane"})) return Stiffness::physical;
   if (is_given(settings, "/material/strain/compliance")) return Stiffness::compliance;
   if (given(settings, "/material/strain", {"warp", "weft", "shear", "area"})) return Stiffness::k;
   return std::nullopt;
@@ -135,7 +136,9 @@ void choose_bending(const Json& settings, Bending& bending, ConfigProblems& prob
   const Json* const section = value_at(settings, "/bending");
   if (section == nullptr || !section->is_object() || section->contains("stiffness")) return;
   const bool k = is_given(settings, "/bending/k"), compliance = is_given(settings, "/bending/compliance"),
-             physical = given(settings, "/bending", {"flexural_rigidity", "quartic_coefficient"});
+             physical = given(settings, "/bending",
+                              {"flexural_rigidity", "quartic_coefficient", "rigidity", "softening",
+                               "hysteresis", "plasticity"});
   if (k + compliance + physical > 1)
     problems.push_back(
         {"/bending/stiffness", fmt::format("is missing, but {} are given: set it to \"k\", \"k_per_step\", "
@@ -159,6 +162,27 @@ void choose_rigidity(const Json& settings, Bending& bending) {
   bending.flexural_rigidity.reset(), bending.at_curvature.reset();
 }
 
+// Applies the numbers of a fabric, except for those that the config states in another way.
+void choose_fabric(const Json& settings, Scene& scene) {
+  const Json* const name = value_at(settings, "/material/fabric");
+  const Fabric* const fabric =
+      name != nullptr && name->is_string() ? find_fabric(name->get<std::string>()) : nullptr;
+  if (fabric == nullptr) return;
+  if (const BendingKind* const model = kind_at(settings, "/bending/model", find_bending_model))
+    scene.bending.model = BendingModel(*model);
+  apply_fabric(*fabric, scene);
+  const bool has_curve = given(settings, "/bending/softening", {"curvatures", "moments"});
+  if (has_curve || given(settings, "/bending", {"flexural_rigidity", "quartic_coefficient"}) ||
+      is_given(settings, "/material/youngs_modulus"))
+    scene.bending.rigidity = {};
+  // A sheet has a curve, half_at or plastic folds.
+  if (has_curve || is_given(settings, "/bending/plasticity/yield_at")) scene.bending.softening = {};
+  // Only the angle itself can yield.
+  if (const Json* const measure = value_at(settings, "/bending/discrete_shells/measure");
+      scene.bending.model.name() == "discrete_shells" && measure != nullptr && *measure != "theta")
+    scene.bending.hysteresis = {};
+}
+
 }  // namespace
 
 Scene scene_before(const Json& settings, ConfigProblems& problems) {
@@ -170,6 +194,7 @@ Scene scene_before(const Json& settings, ConfigProblems& problems) {
   if (method != nullptr && (!recipe.solves || method != &scene.solver.method.kind()))
     scene.solver = {.method = Method(*method)};
   if (const auto meant = meant_membrane(settings)) scene.material.strain.stiffness = *meant;
+  choose_fabric(settings, scene);
   choose_bending(settings, scene.bending, problems);
   choose_rigidity(settings, scene.bending);
   // A program may be built without a default effect.

@@ -1,28 +1,39 @@
 #include "bendlab/scene/energy.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "bendlab/constraints/energy.hpp"
+#include "bendlab/constraints/yielding.hpp"
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 
 namespace bendlab {
 
-double elastic_energy(const SimulationInput& input, const Positions& positions) {
-  double sum = 0;
+double membrane_energy(const SimulationInput& input, const Positions& positions) {
   const StrainStiffness& strain = input.strain_stiffness;
+  if (strain.kind != StiffnessKind::compliance || !(strain.compliance > 0)) return 0;
+  return elastic_energy(input.strain, strain.form, positions, strain.area, strain.softness) /
+         strain.compliance;
+}
+
+double bending_energy(const SimulationInput& input, const Positions& positions, Positions* directors) {
   const BendingStiffness& bending = input.bending_stiffness;
-  if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
-    sum += elastic_energy(input.strain, strain.form, positions, strain.area) / strain.compliance;
-  if (bending.kind == StiffnessKind::compliance && bending.compliance > 0) {
-    const Positions points = input.points_at(positions);
-    sum += (elastic_energy(input.distance, points) + elastic_energy(input.elements, points) +
-            elastic_energy(input.own, points)) /
-           bending.compliance;
-  }
-  return sum;
+  if (bending.kind != StiffnessKind::compliance || !(bending.compliance > 0)) return 0;
+  const bool begun = directors != nullptr && directors->rows() > 0;
+  const Positions found = relaxed_directors(input.directors, input.elements, input.own, positions,
+                                            begun ? *directors : input.directors.rest);
+  if (directors != nullptr) *directors = found;
+  const Positions points = joined(positions, found);
+  return (elastic_energy(input.distance, points) + elastic_energy(input.elements, points) +
+          elastic_energy(input.own, points)) /
+         bending.compliance;
+}
+
+double elastic_energy(const SimulationInput& input, const Positions& positions, Positions* directors) {
+  return membrane_energy(input, positions) + bending_energy(input, positions, directors);
 }
 
 std::vector<EnergyPart> energy_parts(const SimulationInput& input, const Positions& positions) {
@@ -59,9 +70,14 @@ std::vector<EnergyPart> energy_parts(const SimulationInput& input, const Positio
   return parts;
 }
 
-double potential_energy(const BuiltScene& scene, const Positions& positions) {
+bool has_history(const SimulationInput& input) {
+  return can_yield(input.elements) || input.strain_schedule.is_given() || input.bending_schedule.is_given();
+}
+
+double potential_energy(const BuiltScene& scene, const Positions& positions, Positions* directors) {
+  if (has_history(scene.input)) return std::numeric_limits<double>::quiet_NaN();
   const Vector3 gravity = gravity_of(scene.effects);
-  double sum = elastic_energy(scene.input, positions);
+  double sum = elastic_energy(scene.input, positions, directors);
   for (std::size_t v = 0; v < scene.input.mass.size(); ++v) {
     const auto row = static_cast<Eigen::Index>(v);
     sum -= scene.input.mass[v] * (positions.row(row) - scene.input.positions.row(row)).dot(gravity);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,149 @@ void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
     report("quartic_coefficient",
            "cannot be combined with flexural_rigidity, because the springs of {} have only one stiffness: "
            "remove one of these settings");
+}
+
+// Checks what a rigidity and a membrane that depend on the direction require.
+void check_directions(const Scene& scene, ConfigProblems& problems) {
+  const auto report = [&](const std::string& pointer, const std::string& message) {
+    problems.push_back({pointer, message});
+  };
+  const auto need_both = [&](const std::string& pointer, const auto& directed) {
+    for (const auto& [name, value] : {std::pair{"warp", directed.warp}, std::pair{"weft", directed.weft}})
+      if (!value) report(fmt::format("{}/{}", pointer, name), "is missing: state warp and weft");
+    return directed.warp && directed.weft;
+  };
+  const DirectedRigidity& rigidity = scene.bending.rigidity;
+  const BendingKind& model = scene.bending.model.kind();
+  if (rigidity.is_given() && scene.bending.stiffness == Stiffness::physical) {
+    if (scene.material.youngs_modulus)
+      report("/bending/rigidity",
+             "cannot be combined with /material/youngs_modulus: remove one of these settings");
+    if (scene.bending.quartic_coefficient)
+      report("/bending/rigidity",
+             "cannot be combined with quartic_coefficient: remove one of these settings");
+    if (model.rigidity_by_formula && !model.takes_directions)
+      report(
+          "/bending/rigidity",
+          fmt::format("{} has the same rigidity in all directions: set flexural_rigidity, or choose another "
+                      "model, such as mid_edge",
+                      model.name));
+    if (need_both("/bending/rigidity", rigidity)) try {
+        orthotropic_rigidity(*rigidity.warp, *rigidity.weft, rigidity.bias, scene.material.poisson_ratio);
+      } catch (const std::invalid_argument& error) {
+        report("/bending/rigidity/bias", error.what());
+      }
+  }
+  const Strain& strain = scene.material.strain;
+  if (!strain.membrane.is_given() || strain.stiffness != Stiffness::physical) return;
+  need_both("/material/strain/membrane", strain.membrane);
+  if (scene.material.youngs_modulus || strain.form == StrainForm::stvk)
+    report("/material/strain/membrane",
+           "cannot be combined with the isotropic form stvk, nor with /material/youngs_modulus: set "
+           "/material/strain/form to angle or green, or remove this setting");
+  if (scene.solver.method.kind().membrane == Membrane::edges)
+    report("/material/strain/membrane",
+           fmt::format("needs a membrane of triangles, but {} has springs along the edges: choose another "
+                       "method, or set membrane_stiffness",
+                       scene.solver.method.name()));
+}
+
+// Checks keyframes of a stiffness.
+void check_keyframes(const Scene& scene, ConfigProblems& problems) {
+  const auto check = [&](const std::string& section, const Schedule& schedule, Stiffness stiffness) {
+    const auto report = [&](const std::string& message) {
+      problems.push_back({section + "/over_time", message});
+    };
+    if (!schedule.is_given()) return;
+    if (const std::string problem = schedule.problem(); !problem.empty()) report(problem);
+    if (stiffness == Stiffness::k || stiffness == Stiffness::k_per_step)
+      report(fmt::format("needs a stiffness that is not k: set {}/stiffness to physical or compliance",
+                         section));
+    if (scene.solver.method.kind().membrane == Membrane::edges)
+      report(
+          fmt::format("is not read by {}: choose another method, or remove it", scene.solver.method.name()));
+  };
+  check("/material/strain", scene.material.strain.over_time, scene.material.strain.stiffness);
+  check("/bending", scene.bending.over_time, scene.bending.stiffness);
+}
+
+// Checks what maps of the material require.
+void check_maps(const Scene& scene, ConfigProblems& problems) {
+  const Strain& strain = scene.material.strain;
+  const Bending& bending = scene.bending;
+  const auto report = [&](const std::string& pointer, const std::string& message) {
+    problems.push_back({pointer, message});
+  };
+  const bool by_k = strain.stiffness == Stiffness::k || strain.stiffness == Stiffness::k_per_step;
+  if (strain.map.is_given() && by_k)
+    report("/material/strain/map",
+           "needs a stiffness in N/m: set /material/strain/stiffness to physical or compliance");
+  if (strain.map.is_given() && scene.solver.method.kind().membrane == Membrane::edges)
+    report("/material/strain/map",
+           fmt::format("needs a membrane of triangles, but {} has springs along the edges: "
+                       "choose another method, or remove the map",
+                       scene.solver.method.name()));
+  for (const auto& [name, map] :
+       {std::pair{"map", &bending.map}, std::pair{"hysteresis_map", &bending.hysteresis_map},
+        std::pair{"plasticity_map", &bending.plasticity_map}})
+    if (map->is_given() && bending.stiffness != Stiffness::physical)
+      report(fmt::format("/bending/{}", name), "needs a rigidity in N m: set /bending/stiffness to physical");
+  for (const auto& [pointer, map] :
+       {std::pair{"/material/density_map", &scene.material.density_map},
+        std::pair{"/material/strain/map", &strain.map}, std::pair{"/bending/map", &bending.map},
+        std::pair{"/bending/hysteresis_map", &bending.hysteresis_map},
+        std::pair{"/bending/plasticity_map", &bending.plasticity_map}})
+    if (!map->is_given() && (!map->property.empty() || map->low != 0 || map->high != 1))
+      report(fmt::format("{}/file", pointer), "is missing: state a PLY file or a PNG image");
+  if (bending.hysteresis_map.is_given() && !bending.hysteresis.is_given())
+    report("/bending/hysteresis_map", "needs /bending/hysteresis: state its hb, or remove the map");
+  if (bending.plasticity_map.is_given() && !bending.plasticity.is_given())
+    report("/bending/plasticity_map", "needs /bending/plasticity: state its yield_at, or remove the map");
+}
+
+// Checks what a nonlinear moment requires.
+void check_moments(const Scene& scene, ConfigProblems& problems) {
+  const Bending& bending = scene.bending;
+  if (bending.stiffness != Stiffness::physical) return;
+  const auto report = [&](const std::string& pointer, const std::string& message) {
+    problems.push_back({"/bending/" + pointer, message});
+  };
+  const Softening& softening = bending.softening;
+  const std::vector<double>&curvatures = softening.curvatures, &moments = softening.moments;
+  if (softening.half_at && !(curvatures.empty() && moments.empty()))
+    report("softening/half_at",
+           "cannot be combined with curvatures and moments: remove one of these settings");
+  if (curvatures.size() != moments.size())
+    report("softening/moments", fmt::format("has {} numbers, but curvatures has {}: state a moment for every "
+                                            "curvature",
+                                            moments.size(), curvatures.size()));
+  for (std::size_t i = 1; i < std::min(curvatures.size(), moments.size()); ++i)
+    if (!(curvatures[i] > curvatures[i - 1]) || !(moments[i] >= moments[i - 1]))
+      report(
+          "softening/curvatures",
+          fmt::format("point {} does not lie beyond point {}: sort the points, so that curvatures rise and "
+                      "moments do not fall",
+                      i + 1, i));
+  for (const auto& [pointer, is_given] :
+       {std::pair{"/material/youngs_modulus", scene.material.youngs_modulus.has_value()},
+        std::pair{"/bending/rigidity", bending.rigidity.is_given()}})
+    if (is_given && !curvatures.empty())
+      report("softening/curvatures",
+             fmt::format("set the rigidity (the first moment divided by the first curvature), which {} sets, "
+                         "too: remove one of these settings",
+                         pointer));
+  if (bending.plasticity.hardening != 0 && !bending.plasticity.yield_at)
+    report("plasticity/yield_at", "is missing: state the curvature beyond which a fold stays, in 1/m");
+  if (bending.hysteresis.slip && !bending.hysteresis.hb)
+    report("hysteresis/hb", "is missing: state HB, in N");
+  for (const auto& [name, is_given] : {std::pair{"hysteresis", bending.hysteresis.is_given()},
+                                       std::pair{"plasticity", bending.plasticity.is_given()}})
+    if (is_given && !scene.solver.method.kind().has_motion)
+      report(name, fmt::format("is not simulated by {}, because the moment depends on how the cloth moved: "
+                               "choose a method with motion, such as quasi_newton",
+                               scene.solver.method.name()));
+  if (bending.plasticity.is_given() && softening.is_given())
+    report("plasticity", "cannot be combined with softening: remove one of these settings");
 }
 
 // Checks what a shell and an isotropic membrane require.
@@ -256,6 +400,16 @@ void settle(Scene& scene) {
     material.strain.membrane_stiffness = e * h;
     scene.bending.flexural_rigidity = e * h * h * h / (12 * (1 - nu * nu));
   }
+  // Messages and bounds use one number: the larger stiffness of the membrane, and the mean rigidity.
+  if (const DirectedMembrane& membrane = material.strain.membrane; membrane.warp && membrane.weft)
+    material.strain.membrane_stiffness = std::max(*membrane.warp, *membrane.weft);
+  if (const DirectedRigidity& rigidity = scene.bending.rigidity; rigidity.warp && rigidity.weft) try {
+      scene.bending.flexural_rigidity =
+          orthotropic_rigidity(*rigidity.warp, *rigidity.weft, rigidity.bias, material.poisson_ratio).mean();
+    } catch (const std::invalid_argument&) {  // check_directions() reports it
+    }
+  if (const Softening& s = scene.bending.softening; !s.curvatures.empty() && !s.moments.empty())
+    scene.bending.flexural_rigidity = s.moments.front() / s.curvatures.front();
   const MethodKind& method = scene.solver.method.kind();
   if (!scene.solver.substeps && method.default_substeps > 0) scene.solver.substeps = method.default_substeps;
   if (!scene.solver.iterations && method.default_iterations > 0)
@@ -280,6 +434,10 @@ void check_scene(const Scene& scene, ConfigProblems& problems) {
   check_times(scene, problems);
   check_warp_direction(scene, problems);
   check_bending_stiffness(scene.bending, problems);
+  check_directions(scene, problems);
+  check_moments(scene, problems);
+  check_maps(scene, problems);
+  check_keyframes(scene, problems);
   check_material(scene, problems);
   check_springs_lie_flat(scene, problems);
   MethodRules(scene, problems).check();

@@ -19,6 +19,7 @@
 #include "bendlab/mesh/material_coordinates.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/surface.hpp"
+#include "bendlab/settings/schedule.hpp"
 #include "bendlab/solver/methods.hpp"
 
 namespace bendlab {
@@ -60,6 +61,21 @@ struct Pinning {
 /// How a stiffness is stated: as k of projections, as a compliance, or as a physical stiffness of the cloth.
 enum class Stiffness { k, k_per_step, compliance, physical };
 
+/// Factors on a number of the material by place: a value v of the map means the factor low + (high - low) v.
+struct MaterialMap {
+  std::optional<std::string> file;  ///< .ply with `property`, or .png; relative to Scene::folder
+  std::string property;
+  double low = 0, high = 1;
+  bool is_given() const { return file.has_value(); }
+};
+
+/// The membrane by direction, N/m, instead of Strain::membrane_stiffness.
+struct DirectedMembrane {
+  std::optional<double> warp, weft;
+  std::optional<double> shear;  ///< absent: √(warp weft)
+  bool is_given() const { return warp || weft || shear; }
+};
+
 /// Strain constraints of the triangles: the membrane.
 struct Strain {
   std::optional<StrainForm> form;  ///< absent: stvk with a youngs_modulus, otherwise angle
@@ -68,10 +84,14 @@ struct Strain {
   double membrane_stiffness = 1e4;
   double warp = 1, weft = 1, shear = 1, area = 0;  ///< k
   double compliance = 0;                           ///< m/N
+  DirectedMembrane membrane;
+  MaterialMap map;  ///< of the membrane's stiffness
+  Schedule over_time;
 };
 
 struct Material {
-  double density = 0.2;  ///< kg/m²
+  std::optional<std::string> fabric;  ///< name of a fabric (fabrics.hpp), whose numbers the config got
+  double density = 0.2;               ///< kg/m²
   /// A shell of a solid: with youngs_modulus E and thickness h, settle() sets membrane_stiffness to E h and
   /// flexural_rigidity to E h³ / 12 (1 - ν²).
   std::optional<double> youngs_modulus;  ///< E, Pa
@@ -81,10 +101,39 @@ struct Material {
   MaterialCoordinates coordinates = MaterialCoordinates::warp;
   Vector3 warp_direction{1, 0, 0};
   Strain strain;
+  MaterialMap density_map;
 };
 
 /// Where the sheet has no bending moment: in the rest shape of the mesh, or flat.
 enum class RestCurvature { mesh, flat };
+
+/// The flexural rigidity by direction, N m, instead of Bending::flexural_rigidity.
+struct DirectedRigidity {
+  std::optional<double> warp, weft;
+  std::optional<double> bias;  ///< at 45 degrees; absent: see orthotropic_rigidity()
+  bool is_given() const { return warp || weft || bias; }
+};
+
+/// How the moment softens as the curvature κ grows. Secant rigidity M/κ.
+struct Softening {
+  std::optional<double> half_at;            ///< 1/m: the secant rigidity is half of flexural_rigidity there
+  std::vector<double> curvatures, moments;  ///< 1/m and N, instead of half_at
+  bool is_given() const { return half_at || !curvatures.empty() || !moments.empty(); }
+};
+
+/// Internal friction: M = B κ ± moment.
+struct BendingFriction {
+  std::optional<double> hb;  ///< HB, N
+  std::optional<double> slip;    ///< 1/m; absent: a fifth of HB / B
+  bool is_given() const { return hb || slip; }
+};
+
+/// Folds that stay.
+struct BendingPlasticity {
+  std::optional<double> yield_at;  ///< 1/m
+  double hardening = 0;
+  bool is_given() const { return yield_at.has_value(); }
+};
 
 struct Bending {
   BendingModel model = DiscreteShells{};
@@ -99,6 +148,14 @@ struct Bending {
   /// 1/m: the curvature at which springs have the stated rigidity; 20 is a fold of 5 cm radius.
   std::optional<double> at_curvature = 20;
   Deflection deflection = Deflection::large;
+  DirectedRigidity rigidity;
+  Softening softening;
+  BendingFriction hysteresis;
+  BendingPlasticity plasticity;
+  MaterialMap map;             ///< of the flexural rigidity
+  MaterialMap hysteresis_map;  ///< of hysteresis.hb
+  MaterialMap plasticity_map;  ///< of plasticity.yield_at
+  Schedule over_time;          ///< of all bending stiffness, with its friction
 };
 
 /// The precision that a scene states; `automatic` is single precision where that suffices, otherwise double.

@@ -52,13 +52,25 @@ const Section& section_at(std::string_view pointer) {
   return *std::ranges::find(scene_sections(), pointer, &Section::pointer);
 }
 
+// The keys of the parts that are objects in this part.
+std::vector<std::string_view> keys_of_parts_in(std::string_view pointer) {
+  std::vector<std::string_view> keys;
+  for (const Part& part : scene_parts())
+    if (part.pointer.size() > pointer.size() && part.pointer.starts_with(pointer) &&
+        part.pointer[pointer.size()] == '/' &&
+        part.pointer.find('/', pointer.size() + 1) == std::string_view::npos)
+      keys.push_back(part.pointer.substr(pointer.size() + 1));
+  return keys;
+}
+
 void read_bending(const Part& part, Bending& bending, const Json& given, ConfigProblems& problems) {
   const std::string pointer(part.pointer);
   const SettingRow& choice = section_at(pointer).rows.front();
   if (const BendingKind* model = named_kind(choice, given, pointer, find_bending_model, problems);
       model != nullptr && model != &bending.model.kind())
     bending.model = BendingModel(*model);
-  std::vector<std::string_view> other_keys = {choice.field.name};
+  std::vector<std::string_view> other_keys = keys_of_parts_in(pointer);
+  other_keys.push_back(choice.field.name);
   for (const BendingKind* model : bending_models())
     if (!model->settings.fields.empty()) other_keys.push_back(model->name);
   read_fields(part.table, &bending, given, pointer, other_keys, problems);
@@ -129,16 +141,6 @@ void read_effects(std::vector<Effect>& effects, const Json& given, ConfigProblem
   for (std::size_t i = 0; i < given.size(); ++i)
     if (std::optional<Effect> effect = read_effect(given[i], fmt::format("/effects/{}", i), problems))
       effects.push_back(*std::move(effect));
-}
-
-// The keys of the parts that are objects in this part.
-std::vector<std::string_view> keys_of_parts_in(std::string_view pointer) {
-  std::vector<std::string_view> keys;
-  for (const Part& part : scene_parts())
-    if (part.pointer.size() > pointer.size() && part.pointer.starts_with(pointer) &&
-        part.pointer[pointer.size()] == '/')
-      keys.push_back(part.pointer.substr(pointer.size() + 1));
-  return keys;
 }
 
 template <class Kind>

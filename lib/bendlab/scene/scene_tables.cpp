@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bendlab/mesh/flaws.hpp"
+#include "bendlab/scene/fabrics.hpp"
 
 namespace bendlab {
 namespace {
@@ -61,13 +62,16 @@ constexpr auto is_of_hinges = read_when<Scene>([](const Scene& s) {
 });
 constexpr auto is_shell =
     read_when<Scene>([](const Scene& s) { return s.material.youngs_modulus.has_value(); });
-constexpr auto states_membrane =
-    read_when<Scene>([](const Scene& s) { return strains_by<Stiffness::physical>(&s) && !is_shell(&s); });
-constexpr auto states_rigidity =
-    read_when<Scene>([](const Scene& s) { return bends_by<Stiffness::physical>(&s) && !is_shell(&s); });
+constexpr auto states_membrane = read_when<Scene>([](const Scene& s) {
+  return strains_by<Stiffness::physical>(&s) && !is_shell(&s) && !s.material.strain.membrane.is_given();
+});
+constexpr auto states_rigidity = read_when<Scene>([](const Scene& s) {
+  return bends_by<Stiffness::physical>(&s) && !is_shell(&s) && !s.bending.rigidity.is_given() &&
+         s.bending.softening.curvatures.empty();
+});
 constexpr auto takes_poisson_ratio = read_when<Scene>([](const Scene& s) {
   return s.bending.model.kind().takes_poisson_ratio || s.material.strain.form == StrainForm::stvk ||
-         is_shell(&s);
+         is_shell(&s) || s.bending.rigidity.is_given();
 });
 constexpr auto has_flat_generator = read_when<Scene>([](const Scene& s) {
   return generated_by<Generator::grid, Generator::equilateral, Generator::delaunay>(&s);
@@ -93,6 +97,15 @@ constexpr std::string_view bending_stiffness_meaning =
     "How stiffness is given. k, k_per_step and compliance: as in /material/strain. physical: "
     "flexural_rigidity or quartic_coefficient is used, and the compliance of each constraint is computed "
     "from the mesh. Absent: k if k is given, compliance if compliance is given, otherwise physical";
+
+std::span<const std::string_view> fabric_names() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> list;
+    for (const Fabric& fabric : fabrics()) list.push_back(fabric.name);
+    return list;
+  }();
+  return names;
+}
 
 // The tables are formatted by hand.
 // clang-format off
@@ -227,7 +240,13 @@ constexpr std::array pins = {
                 .minimum = 0}),
 };
 
-constexpr std::array material = {
+// Not constexpr, because fabric_names() is called.
+const std::array material = {
+    field<&Material::fabric>({.name = "fabric",
+              .meaning = "A fabric whose measured density, rigidity, friction and softening become the "
+                         "defaults of this config; `bendlab fabrics` lists the fabrics and their sources. "
+                         "Absent: no fabric",
+              .choices = fabric_names()}),
     field<&Material::density>({.name = "density", .unit = "kg/m²",
               .meaning = "Mass per area",
               .minimum = 0, .above = true}),
@@ -336,6 +355,81 @@ constexpr std::array bending = {
                            "summary of a run contains the fraction of flexural_rigidity at small and at "
                            "large deflections",
                 .choices = deflection_names, .read_when = is_of_hinges}),
+};
+
+constexpr std::array rigidity = {
+    field<&DirectedRigidity::warp>({.name = "warp", .unit = "N m",
+              .meaning = "Rigidity of a narrow strip along the warp, as a cantilever test measures it",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&DirectedRigidity::weft>({.name = "weft", .unit = "N m",
+              .meaning = "Rigidity of a narrow strip along the weft",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&DirectedRigidity::bias>({.name = "bias", .unit = "N m",
+              .meaning = "Rigidity of a narrow strip at 45 degrees to the warp. Absent: the sheet resists "
+                         "twist as in Huber's theory of plates, D12 + 2 D66 = √(D11 D22)",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+};
+
+constexpr std::array softening = {
+    field<&Softening::half_at>({.name = "half_at", .unit = "1/m",
+              .meaning = "Curvature κ½ at which the secant rigidity M/κ is half of flexural_rigidity: M = B "
+                         "κ / (1 + κ/κ½)",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&Softening::curvatures>({.name = "curvatures", .unit = "1/m",
+              .meaning = "A measured curve, instead of half_at: curvatures, ascending, without 0. The moment "
+                         "is linear between the points, and goes on with its last slope",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&Softening::moments>({.name = "moments", .unit = "N",
+              .meaning = "The moment per width at each of the curvatures. The first moment over the first "
+                         "curvature is flexural_rigidity",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+};
+
+constexpr std::array hysteresis = {
+    field<&BendingFriction::hb>({.name = "hb", .unit = "N",
+              .meaning = "HB: the moment per width is B κ + HB while the sheet bends, and B κ - HB while it "
+                         "unbends. Laboratories state 2HB; 1 gf cm/cm is 0.00981 N",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&BendingFriction::slip>({.name = "slip", .unit = "1/m",
+              .meaning = "The friction grows from 0 to HB while the curvature changes by this number, and "
+                         "from -HB to HB while it changes by twice this number. Absent: HB / (5 B)",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+};
+
+constexpr std::array plasticity = {
+    field<&BendingPlasticity::yield_at>({.name = "yield_at", .unit = "1/m",
+              .meaning = "Curvature κy beyond which a fold stays. A sheet that was bent to κ keeps the "
+                         "curvature (1 - hardening) (κ - κy)",
+              .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+    field<&BendingPlasticity::hardening>({.name = "hardening", .unit = "1",
+              .meaning = "Slope of the moment beyond `yield_at`, relative to flexural_rigidity. The moment "
+                         "at which the fold yields again grows, too",
+              .minimum = 0, .maximum = 0.99, .read_when = bends_by<Stiffness::physical>,
+              .depends_on = on_bending_stiffness}),
+};
+
+constexpr std::array membrane = {
+    field<&DirectedMembrane::warp>({.name = "warp", .unit = "N/m",
+              .meaning = "Force per width for a strain of 1 along the warp",
+              .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
+              .depends_on = on_strain_stiffness}),
+    field<&DirectedMembrane::weft>({.name = "weft", .unit = "N/m",
+              .meaning = "Force per width for a strain of 1 along the weft",
+              .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
+              .depends_on = on_strain_stiffness}),
+    field<&DirectedMembrane::shear>({.name = "shear", .unit = "N/m",
+              .meaning = "Force per width for a shear of 1. Absent: √(warp weft)",
+              .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
+              .depends_on = on_strain_stiffness}),
 };
 
 constexpr std::array solver = {
@@ -451,6 +545,43 @@ constexpr std::array surface = {
               .meaning = "Angle off the axis of a sphere or dome, see shape", .minimum = 0, .maximum = 180}),
 };
 
+// The same settings for all maps.
+constexpr std::array map = {
+    field<&MaterialMap::file>({.name = "file",
+              .meaning = "A PLY file whose points or faces have the property `property`: a triangle of the "
+                         "mesh takes the value at the nearest place of the file's surface. Or a PNG image, "
+                         "whose grey from 0 (black) to 1 (white) lies on the texture coordinates; on a flat "
+                         "sheet without texture coordinates it covers the sheet. The path is relative to the "
+                         "config's folder",
+              .names_file = true}),
+    field<&MaterialMap::property>({.name = "property", .meaning = "Name of the property in a PLY file"}),
+    field<&MaterialMap::low>({.name = "low", .unit = "1", 
+              .meaning = "Factor where the map has the value 0. A factor must be above 0: state low for an "
+                         "image with black parts"}),
+    field<&MaterialMap::high>({.name = "high", .unit = "1",
+              .meaning = "Factor where the map has the value 1. With the defaults of low and high, the map's "
+                         "values are the factors"}),
+};
+
+// The same settings for the membrane and for bending.
+constexpr std::array keyframes = {
+    field<&Schedule::times>({.name = "times", .unit = "s",
+              .meaning = "Times of the keyframes, ascending. The factor is linear between keyframes, and the "
+                         "same before the first and after the last keyframe",
+              .minimum = 0}),
+    field<&Schedule::factors>({.name = "factors", .unit = "1",
+              .meaning = "Factor on the stiffness at each of the times",
+              .minimum = 0, .above = true}),
+};
+
+FieldTable keyframe_table() {
+  return table_of<Schedule>(keyframes);
+}
+
+FieldTable map_table() {
+  return table_of<MaterialMap>(map);
+}
+
 FieldTable surface_table() {
   return table_of<NamedSurface>(surface);
 }
@@ -521,7 +652,9 @@ Section section_of(std::string pointer, std::string meaning, const FieldTable& t
 // A model's section is /bending/<model>, so a model must not have the name of another setting in /bending.
 void check_names_of_added_models() {
   for (const BendingKind* model : added_bending_models())
-    if (std::ranges::find(bending, model->name, &Field::name) != bending.end() || model->name == "model")
+    if (std::ranges::find(bending, model->name, &Field::name) != bending.end() || model->name == "model" ||
+        std::ranges::find(scene_parts(), fmt::format("/bending/{}", model->name), &Part::pointer) !=
+            scene_parts().end())
       throw std::invalid_argument(
           fmt::format("the bending model '{}' has the same name as the setting /bending/{}; choose another "
                       "name",
@@ -571,8 +704,55 @@ std::span<const Part> scene_parts() {
            [](const Scene& s) -> const void* { return &s.material; }},
       Part{"/material/strain", "Strain constraints of the triangles", table_of<Strain>(strain),
            [](const Scene& s) -> const void* { return &s.material.strain; }},
+      Part{"/material/density_map", "Factors on the density by place", map_table(),
+           [](const Scene& s) -> const void* { return &s.material.density_map; },
+           [](const Scene& s) { return !s.material.density_map.is_given(); }},
+      Part{"/material/strain/map", "Factors on the stiffness of the membrane by place", map_table(),
+           [](const Scene& s) -> const void* { return &s.material.strain.map; },
+           [](const Scene& s) { return !s.material.strain.map.is_given(); }},
+      Part{"/material/strain/over_time", "A factor on the stiffness of the membrane over time",
+           keyframe_table(),
+           [](const Scene& s) -> const void* { return &s.material.strain.over_time; },
+           [](const Scene& s) { return !s.material.strain.over_time.is_given(); }},
+      Part{"/material/strain/membrane",
+           "Stiffness of the membrane by direction, instead of membrane_stiffness",
+           table_of<DirectedMembrane>(membrane),
+           [](const Scene& s) -> const void* { return &s.material.strain.membrane; },
+           [](const Scene& s) { return !s.material.strain.membrane.is_given(); }},
       Part{"/bending", "The bending model and the stiffness of its constraints", table_of<Bending>(bending),
            [](const Scene& s) -> const void* { return &s.bending; }},
+      Part{"/bending/rigidity",
+           "Rigidities of narrow strips by direction. They replace flexural_rigidity, the rigidity of a wide "
+           "sheet. Along the warp and the weft, strip and sheet agree if /material/poisson_ratio is 0. Warp "
+           "and weft follow /material/coordinates",
+           table_of<DirectedRigidity>(rigidity),
+           [](const Scene& s) -> const void* { return &s.bending.rigidity; },
+           [](const Scene& s) { return !s.bending.rigidity.is_given(); }},
+      Part{"/bending/softening", "A moment that grows less than in proportion to the curvature",
+           table_of<Softening>(softening),
+           [](const Scene& s) -> const void* { return &s.bending.softening; },
+           [](const Scene& s) { return !s.bending.softening.is_given(); }},
+      Part{"/bending/hysteresis",
+           "Internal friction of the cloth: unbending takes less moment than bending, and a bent sheet keeps "
+           "a part of its curvature, at most HB over flexural_rigidity",
+           table_of<BendingFriction>(hysteresis),
+           [](const Scene& s) -> const void* { return &s.bending.hysteresis; },
+           [](const Scene& s) { return !s.bending.hysteresis.is_given(); }},
+      Part{"/bending/plasticity", "Folds that stay", table_of<BendingPlasticity>(plasticity),
+           [](const Scene& s) -> const void* { return &s.bending.plasticity; },
+           [](const Scene& s) { return !s.bending.plasticity.is_given(); }},
+      Part{"/bending/map", "Factors on the flexural rigidity by place, if stiffness is physical", map_table(),
+           [](const Scene& s) -> const void* { return &s.bending.map; },
+           [](const Scene& s) { return !s.bending.map.is_given(); }},
+      Part{"/bending/over_time", "A factor on the bending stiffness over time, also on its friction",
+           keyframe_table(), [](const Scene& s) -> const void* { return &s.bending.over_time; },
+           [](const Scene& s) { return !s.bending.over_time.is_given(); }},
+      Part{"/bending/hysteresis_map", "Factors on /bending/hysteresis/hb by place", map_table(),
+           [](const Scene& s) -> const void* { return &s.bending.hysteresis_map; },
+           [](const Scene& s) { return !s.bending.hysteresis_map.is_given(); }},
+      Part{"/bending/plasticity_map", "Factors on /bending/plasticity/yield_at by place", map_table(),
+           [](const Scene& s) -> const void* { return &s.bending.plasticity_map; },
+           [](const Scene& s) { return !s.bending.plasticity_map.is_given(); }},
       Part{"/solver", "Time stepping and projection", table_of<Solver>(solver),
            [](const Scene& s) -> const void* { return &s.solver; }},
       Part{"/initial", "The pose at time 0", table_of<Initial>(initial),

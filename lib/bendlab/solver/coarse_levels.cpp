@@ -22,8 +22,8 @@ constexpr double level_edges = 1.7;
 constexpr double longest_span = 1.6;  // in least distances between points: joins diagonals of squares
 constexpr int fewest_points = 6;
 constexpr int coarsest_sweeps = 8;  // a sweep over the coarsest level costs next to nothing
-// The compliance of a span as a multiple of the membrane's compliance. Spans add to the stiffness of the
-// triangles; soft spans add little where the projections of the triangles converge.
+// The compliance of a span as a multiple of the membrane's largest compliance. Spans add to the stiffness of
+// the triangles; soft spans add little where the projections of the triangles converge.
 constexpr double span_softness = 64;
 constexpr std::size_t worthwhile_lanes = 2048, worthwhile_points = 16384;  // about 10 µs of one thread
 
@@ -143,7 +143,7 @@ struct CoarseLevels<Real>::Builder {
     level.spans.only_pulls = true;
     const StrainStiffness& strain = input.strain_stiffness;
     level.spans.kind = strain.kind;
-    level.spans.compliance = static_cast<Real>(span_softness * strain.compliance);
+    level.spans.compliance = static_cast<Real>(span_softness * input.softest_membrane());
     level.spans.k = static_cast<Real>(k_of_projection(
         strain.kind, std::max({strain.warp, strain.weft, strain.shear}), input.settings.iterations));
     if (strain.kind == StiffnessKind::compliance) level.spans.multiplier.assign(level.spans.b.size(), 0);
@@ -156,6 +156,7 @@ template <class Real>
 CoarseLevels<Real>::CoarseLevels(const SimulationInput& input, int most_levels) {
   if (most_levels == 0 || input.strain.size() == 0) return;
   expect_all_directions(input.strain_stiffness);
+  compliance_ = span_softness * input.softest_membrane();
   Builder builder(input);
   double apart = level_edges * builder.rest.mean_edge_length();
   for (int l = 0; l < most_levels; ++l, apart *= 2) {

@@ -44,6 +44,11 @@ class CoarseLevels {
   /// Moves the cloth's free points. `cloth` has the vertices in the order of input.permutation; h in s.
   void correct(const Places<Real>& cloth, Real h, Workers& workers);
 
+  /// Multiplies the stated stiffness of the spans from now on.
+  void scale_stiffness(double factor) {
+    for (Level& level : levels_) level.spans.compliance = static_cast<Real>(compliance_ / factor);
+  }
+
   std::size_t count() const { return levels_.size(); }
   std::size_t span_count() const;
   std::size_t memory_bytes() const;
@@ -70,6 +75,7 @@ class CoarseLevels {
   void shorten(Level& level, bool is_split, Real h, int sweeps, Workers& workers) const;
 
   std::vector<Level> levels_;  // from fine to coarse
+  double compliance_ = 0;      // of spans as stated
 };
 
 }  // namespace bendlab

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -44,7 +45,8 @@ class Assembly {
   std::vector<Eigen::Triplet<double>> entries_;
 };
 
-// κ of the constraint C (see the header); 0 if C has no gradient at rest.
+// κ of the constraint C (see the header); 0 if C has no gradient at rest. At a corner of the sheet C may
+// depend on directors alone.
 template <class Kind>
 std::array<double, Kind::arity> weights_of(const ConstraintValue<double, Kind::arity>& c) {
   constexpr std::size_t vertices = Kind::arity - directors_of<Kind>;
@@ -53,8 +55,8 @@ std::array<double, Kind::arity> weights_of(const ConstraintValue<double, Kind::a
   Vector3 largest = Vector3::Zero();
   for (std::size_t i = 0; i < vertices; ++i)
     if (c.gradient[i].squaredNorm() > largest.squaredNorm()) largest = c.gradient[i];
-  if (!(largest.squaredNorm() > 0)) return weights;
-  for (std::size_t i = 0; i < vertices; ++i) weights[i] = c.gradient[i].dot(largest.normalized());
+  if (largest.squaredNorm() > 0)
+    for (std::size_t i = 0; i < vertices; ++i) weights[i] = c.gradient[i].dot(largest.normalized());
   for (std::size_t i = vertices; i < Kind::arity; ++i) weights[i] = c.gradient[i].x();
   return weights;
 }
@@ -107,6 +109,8 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
     : free_index_(input.point_count(), -1),
       strain_(input.strain),
       compliance_(input.strain_stiffness.compliance) {
+  const std::array<double, 3>& softness = input.strain_stiffness.softness;
+  for (const std::size_t axis : {0U, 1U}) axis_softness_[axis] = std::min(softness[axis], softness[2]);
   for (std::size_t v = 0; v < free_index_.size(); ++v)
     if (input.is_free(v)) {
       free_index_[v] = static_cast<int>(vertices_.size());
@@ -172,10 +176,11 @@ Eigen::SparseMatrix<double> ElasticMetric::membrane(std::span<const double> soft
   Assembly membrane(free_index_, vertices_.size());
   for (std::size_t t = 0; t < strain_.size(); ++t) {
     const std::array<double, 4>& q = strain_.inverse_rest[t];
-    const double stiffness = 1 / (softness[t] * compliance_) +
-                             (stiffness_of_springs_.empty() ? 0 : stiffness_of_springs_[t]);  // N/m
-    const double scale = stiffness * rest_area(t);
     for (const std::size_t column : {0U, 1U}) {
+      const double stated = strain_.softness.empty() ? 1 : strain_.softness[t];
+      const double stiffness = 1 / (softness[t] * compliance_ * stated * axis_softness_[column]) +
+                               (stiffness_of_springs_.empty() ? 0 : stiffness_of_springs_[t]);  // N/m
+      const double scale = stiffness * rest_area(t);
       const std::array<double, 3> weight = {-q[column] - q[2 + column], q[column], q[2 + column]};
       membrane.add(strain_.vertices[t],
                    [&](std::size_t i, std::size_t j) { return scale * weight[i] * weight[j]; });

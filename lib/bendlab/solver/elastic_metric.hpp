@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -30,6 +31,8 @@ class ElasticMetric {
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::size_t triangle_count() const { return strain_.size(); }
+  /// As in StrainConstraints.
+  const std::vector<double>& stated_softness() const { return strain_.softness; }
   std::size_t memory_bytes() const;
 
  private:
@@ -39,7 +42,9 @@ class ElasticMetric {
   std::vector<int> vertices_, free_index_;
   Eigen::SparseMatrix<double> bending_;
   StrainConstraints strain_;
-  double compliance_;                         // of the membrane, m/N
+  double compliance_;  // of the membrane, m/N
+  // Times the compliance: for differences along the warp and along the weft, which stretch and shear.
+  std::array<double, 2> axis_softness_{};
   std::vector<double> stiffness_of_springs_;  // per triangle, N/m; empty: no springs
 };
 

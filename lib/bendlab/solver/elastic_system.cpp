@@ -176,7 +176,9 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
       distance_(input.distance),
       elements_(input.elements),
       own_(input.own),
-      bending_compliance_(input.bending_stiffness.compliance) {
+      bending_compliance_(input.bending_stiffness.compliance),
+      stated_strain_(input.strain_stiffness.compliance),
+      stated_bending_(input.bending_stiffness.compliance) {
   if (strain_.size() > 0) require_compliance(strain_stiffness_.kind, strain_stiffness_.compliance, "strain");
   if (distance_.size() > 0 || element_count(elements_) > 0 || own_.size() > 0)
     require_compliance(input.bending_stiffness.kind, bending_compliance_, "bending");
@@ -208,15 +210,19 @@ void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit&
   const double stretch_scale = stretch_softness(s.form);
   const std::array<double, 4>& q = strain_.inverse_rest[t];
   const double alpha =
-      strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
+      (strain_.softness.empty() ? strain_softness_ : strain_softness_ * strain_.softness[t]) * s.compliance *
+      2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
   const auto term = [&](double part, double scale, const auto& evaluate) {
     if (part != 0)
       visit_single<3>(visit, next++, strain_.vertices[t], evaluate,
                       [&](double c) { return quadratic(c, scale * alpha); });
   };
-  term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
-  term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
-  term(s.shear, shear_softness(s.form), [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
+  term(s.warp, s.softness[0] * stretch_scale,
+       [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
+  term(s.weft, s.softness[1] * stretch_scale,
+       [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
+  term(s.shear, s.softness[2] * shear_softness(s.form),
+       [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
   if (s.area != 0)
     term(s.area, area_softness(s.form, s.area), [&](const Corners<3>& p) { return area_term(p, q, s.form); });
 }
@@ -245,10 +251,24 @@ void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, 
           return Kind::weighted_components(p, rest, list.law, slopes).gradient;
       };
       const FunctionRef<Gradient<N>(const Corners<N>&, const Slopes&)> joint_gradient(joint);
+      // If the moment is not linear, its secant stiffness and its energy depend on the whole C, the root of
+      // the sum of squares. The whole energy counts at the first component.
+      Resistance whole{0, 1};
       for (std::size_t k = 0; k < Kind::components; ++k)
         visit(Term<N>{next++, list.vertices[c],
-                      [&](const Corners<N>& p) { return Kind::component(p, rest, list.law, k); },
-                      [&](double value) { return quadratic(value, alpha); },
+                      [&](const Corners<N>& p) {
+                        if (!list.moment.empty())
+                          whole = resistance(list.moment, c,
+                                             Kind::template value<double>(p, rest, list.law).value);
+                        return Kind::component(p, rest, list.law, k);
+                      },
+                      [&](double value) {
+                        Potential psi = quadratic(value, alpha);
+                        if (list.moment.empty()) return psi;
+                        psi.slope *= whole.secant, psi.curvature *= whole.secant;
+                        psi.value = k == 0 ? whole.energy / alpha : 0;
+                        return psi;
+                      },
                       Kind::linear_components ? nullptr : &joint_gradient, directors, k, Kind::components});
       return;
     }
@@ -256,10 +276,11 @@ void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, 
       visit, next++, list.vertices[c],
       [&](const Corners<N>& p) { return Kind::template value<double>(p, rest, list.law); },
       [&](double value) {
-        if constexpr (OneSided<Kind>)
-          return one_sided<Kind>(value, rest, list.law, alpha);
-        else
-          return quadratic(value, alpha);
+        if constexpr (OneSided<Kind>) return one_sided<Kind>(value, rest, list.law, alpha);
+        Potential psi = quadratic(value, alpha);
+        if (list.moment.empty()) return psi;
+        const Resistance now = resistance(list.moment, c, value);
+        return Potential{now.energy / alpha, psi.slope * now.secant, psi.curvature * now.secant};
       },
       directors);
 }

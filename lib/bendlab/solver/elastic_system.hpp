@@ -19,6 +19,7 @@
 #include <span>
 #include <vector>
 
+#include "bendlab/constraints/yielding.hpp"
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab {
@@ -32,6 +33,18 @@ class ElasticSystem {
 
   /// Multiplies the stated compliance of the strain constraints by `factor` from now on.
   void soften_strain(double factor) { strain_softness_ = factor; }
+  /// Multiplies the stated stiffnesses from now on.
+  void scale_stiffness(const StiffnessFactors& factors) {
+    strain_stiffness_.compliance = stated_strain_ / factors.strain;
+    bending_compliance_ = stated_bending_ / factors.bending;
+  }
+
+  /// Lets elements yield (yielding.hpp). Returns the number of elements that yielded.
+  std::size_t yield(const Positions& positions) { return yield_to(elements_, positions); }
+  /// Writes or reads what yielding changes.
+  void archive_yields(Archive& state) {
+    for_each_kind(elements_, [&](auto& list) { state(list.rest, list.moment.yield); });
+  }
 
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
@@ -100,6 +113,7 @@ class ElasticSystem {
   ElementLists elements_;
   OwnElements own_;
   double bending_compliance_, strain_softness_ = 1;
+  double stated_strain_, stated_bending_;  // compliances
   std::vector<int> free_index_;
   std::vector<char> is_held_;  // of each unknown; empty: none is held
   int free_count_ = 0;

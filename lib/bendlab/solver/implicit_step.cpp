@@ -70,6 +70,7 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
     ++iterations_done_;
   });
   this->add_pass(after_, "update", [this](auto&) { update(); });
+  this->add_yield_pass(after_);
   this->append_effects(after_, effect_passes, Stage::velocity);
 }
 

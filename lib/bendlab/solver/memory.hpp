@@ -53,7 +53,8 @@ std::size_t bytes_of(const DistanceBatch<Real>& batch) {
 
 template <class Real, class Kind>
 std::size_t bytes_of(const ElementBatch<Real, Kind>& batch) {
-  std::size_t sum = bytes_of(batch.order) + bytes_of(batch.softness) + bytes_of(batch.multiplier);
+  std::size_t sum = bytes_of(batch.order) + bytes_of(batch.softness) + bytes_of(batch.multiplier) +
+                    bytes_of(batch.length) + bytes_of(batch.yield) + bytes_of(batch.hardening);
   for (const auto& corner : batch.corner) sum += bytes_of(corner);
   for (const auto& rest : batch.rest) sum += bytes_of(rest);
   return sum;

@@ -58,9 +58,11 @@ void order_from_pins(SimulationInput& input, const RestMesh& rest) {
     reorder(list.vertices, order);
     (reorder(values, order), ...);
   };
-  sort(input.strain, input.strain.inverse_rest);
+  sort(input.strain, input.strain.inverse_rest, input.strain.softness);
   sort(input.distance, input.distance.rest_length, input.distance.softness);
-  for_each_kind(input.elements, [&](auto& list) { sort(list, list.rest, list.softness); });
+  for_each_kind(input.elements, [&](auto& list) {
+    sort(list, list.rest, list.softness, list.moment.length, list.moment.yield, list.moment.hardening);
+  });
 }
 
 }  // namespace bendlab

@@ -153,6 +153,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
   strain.form = s.form, strain.kind = s.kind, strain.compliance = range.clamped(s.compliance);
   strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
   strain.area = fraction(s.area);
+  for (std::size_t i = 0; i < 3; ++i) strain.term_softness[i] = static_cast<Real>(s.softness[i]);
   if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
 
   DistanceBatch<Real>& distance = constraints.distance;

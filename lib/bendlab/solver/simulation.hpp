@@ -1,6 +1,7 @@
 // SimulationInput: what a solver method (methods.hpp) gets from a scene. Simulation: what a method returns.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -17,6 +18,7 @@
 #include "bendlab/mesh/triangle_mesh.hpp"
 #include "bendlab/settings/archive.hpp"
 #include "bendlab/settings/family.hpp"
+#include "bendlab/settings/schedule.hpp"
 
 namespace bendlab {
 
@@ -44,6 +46,15 @@ struct StrainStiffness {
   StiffnessKind kind = StiffnessKind::k;
   double warp = 1, weft = 1, shear = 1, area = 0;  ///< k in [0, 1]
   double compliance = 0;                           ///< m/N
+  std::array<double, 3> softness = {1, 1, 1};      ///< of warp, weft and shear, times the compliance
+
+  double largest_softness() const { return *std::max_element(softness.begin(), softness.end()); }
+};
+
+/// Factors on the stiffness of the membrane and of bending at a time.
+struct StiffnessFactors {
+  double strain = 1, bending = 1;
+  bool operator==(const StiffnessFactors&) const = default;
 };
 
 struct BendingStiffness {
@@ -74,7 +85,8 @@ struct SimulationInput {
   Positions start_directors;  ///< #D by 3, m: at the start; empty: relaxed in the pose at the start
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
-  double push_tension = 0;  ///< N/m, by which springs that push stretch the rest shape
+  Schedule strain_schedule, bending_schedule;  ///< factors on both stiffnesses over time
+  double push_tension = 0;                     ///< N/m, by which springs that push stretch the rest shape
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
   /// Single precision: whether the moves of a substep are so short that positions have too few digits for
@@ -93,6 +105,13 @@ struct SimulationInput {
   /// Whether the point keeps its coordinate along `axis` (0 to 2), although it is free.
   bool is_held(std::size_t point, int axis) const {
     return point < held.size() && (held[point] >> axis & 1) != 0;
+  }
+  /// The membrane's largest compliance in any direction and triangle, m/N, with the stiffness as stated (not
+  /// as scaled by strain_schedule).
+  double softest_membrane() const {
+    const double by_place =
+        strain.softness.empty() ? 1 : *std::max_element(strain.softness.begin(), strain.softness.end());
+    return strain_stiffness.compliance * strain_stiffness.largest_softness() * by_place;
   }
 };
 

@@ -55,7 +55,12 @@ std::vector<double> distances_from_pins(const SimulationInput& input) {
 }  // namespace
 
 SoftMembrane::SoftMembrane(const SimulationInput& input)
-    : size_(input.size), compliance_(input.strain_stiffness.compliance), push_tension_(input.push_tension) {
+    : size_(input.size),
+      push_tension_(input.push_tension),
+      compliance_(input.strain.size(), input.strain_stiffness.compliance *
+                                           input.strain_stiffness.largest_softness() /
+                                           input.strain_schedule.least()) {
+  for (std::size_t t = 0; t < input.strain.softness.size(); ++t) compliance_[t] *= input.strain.softness[t];
   const std::vector<double> distance = distances_from_pins(input);
   for (const std::array<int, 3>& corner : input.strain.vertices) {
     double sum = 0;
@@ -67,11 +72,13 @@ SoftMembrane::SoftMembrane(const SimulationInput& input)
 std::vector<double> SoftMembrane::softness(double error, double force) const {
   const double needed =
       std::max(moved_per_load * force / (size_ * error), membrane_for_push(push_tension_, error));  // N/m
-  const double most = needed > 0 && compliance_ > 0 ? 1 / (compliance_ * needed) : 1;
   std::vector<double> softness;
   softness.reserve(distance_.size());
-  for (const double distance : distance_)
-    softness.push_back(std::max(1.0, most * std::min(1.0, distance / (graded_per_error * error * size_))));
+  for (std::size_t t = 0; t < distance_.size(); ++t) {
+    const double most = needed > 0 && compliance_[t] > 0 ? 1 / (compliance_[t] * needed) : 1;
+    softness.push_back(
+        std::max(1.0, most * std::min(1.0, distance_[t] / (graded_per_error * error * size_))));
+  }
   return softness;
 }
 

@@ -28,9 +28,10 @@ class SoftMembrane {
   std::vector<double> softness(double error, double force) const;
 
  private:
-  double size_, compliance_;      // m, m/N
-  double push_tension_;           // of springs that push, N/m
-  std::vector<double> distance_;  // of each triangle from pins, m; infinite without pins
+  double size_;                     // m
+  double push_tension_;             // of springs that push, N/m
+  std::vector<double> distance_;    // of each triangle from pins, m; infinite without pins
+  std::vector<double> compliance_;  // of each triangle, the largest over directions and times, m/N
 };
 
 }  // namespace bendlab

@@ -19,7 +19,10 @@ TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> permutat
     : settings_(input.settings),
       permutation_(std::move(permutation)),
       workers_(input.settings.threads),
-      bound_(static_cast<Real>(divergence_bound * input.size)) {
+      bound_(static_cast<Real>(divergence_bound * input.size)),
+      yields_(can_yield(input.elements)),
+      strain_schedule_(input.strain_schedule),
+      bending_schedule_(input.bending_schedule) {
   fill_state(input);
   lists_.emplace(input);
   constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
@@ -28,6 +31,8 @@ TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> permutat
 template <class Real>
 void TimeStep<Real>::order_constraints(const SimulationInput& input, const Ordering& ordering) {
   constraints_ = ordered_constraints<Real>(input, rest_points(), ordering);
+  strain_compliance_ = constraints_.strain.compliance;
+  bending_compliance_ = input.bending_stiffness.compliance;
   lists_.reset();
 }
 
@@ -69,10 +74,32 @@ bool TimeStep<Real>::step() {
   PassContext<Real> context{state_, constraints_, static_cast<Real>(settings_.dt / settings_.substeps)};
   for (int s = 0; s < settings_.substeps; ++s) {
     context.time = time();
+    follow_schedules();
     substep(context);
     ++substeps_done_;
   }
   return divergence_.vertex < 0 || (divergence_.time = time(), false);
+}
+
+// The stiffness of a substep is that at its end.
+template <class Real>
+void TimeStep<Real>::follow_schedules() {
+  if (!strain_schedule_.is_given() && !bending_schedule_.is_given()) return;
+  const double end = time() + settings_.dt / settings_.substeps;
+  const StiffnessFactors now{strain_schedule_.at(end), bending_schedule_.at(end)};
+  if (now == factors_) return;
+  scale_stiffness(now);
+  factors_ = now;
+}
+
+template <class Real>
+void TimeStep<Real>::scale_stiffness(const StiffnessFactors& factors) {
+  constraints_.strain.compliance =
+      static_cast<Real>(static_cast<double>(strain_compliance_) / factors.strain);
+  const double bending = bending_compliance_ / factors.bending;
+  constraints_.distance.compliance = static_cast<Real>(bending);
+  for_each_kind(constraints_.elements, [&](auto& batch) { batch.compliance = static_cast<Real>(bending); });
+  constraints_.own.compliance = bending;
 }
 
 template <class Real>
@@ -109,6 +136,15 @@ void TimeStep<Real>::archive(Archive& state) {
     if (const auto saved = std::ranges::find(passes, pass.name, &PassStatistics::name); saved != passes.end())
       pass = *saved, passes.erase(saved);
   for (const auto& archive : effect_archives_) archive(state);
+  if (strain_schedule_.is_given() || bending_schedule_.is_given()) {
+    state(factors_);
+    if (state.reads()) scale_stiffness(factors_);
+  }
+  if (yields_)
+    for_each_kind(constraints_.elements, [&](auto& batch) {
+      for (auto& values : batch.rest) state(values);
+      state(batch.yield);
+    });
 }
 
 template <class Real>

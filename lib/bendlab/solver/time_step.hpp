@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "bendlab/constraints/yielding.hpp"
 #include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/workers.hpp"
@@ -55,6 +56,20 @@ class TimeStep : public Simulation {
   /// Fills constraints_, which effects read. Without this call constraints_ is empty.
   void order_constraints(const SimulationInput& input, const Ordering& ordering = {});
 
+  /// Adds a pass that lets elements yield at the end of a substep, if any element can.
+  void add_yield_pass(Passes& passes) {
+    if (yields_) add_pass(passes, "yield", [this](auto& c) { c.acted += yield(); });
+  }
+  /// Lets the elements of constraints_ yield. A method with elements of its own overrides this function, and
+  /// adds those elements to archive(). Returns the number of elements that yielded.
+  virtual std::size_t yield() { return yield_to<Real>(constraints_.elements, state_.position.data()); }
+  bool yields() const { return yields_; }
+
+  /// Multiplies the stated stiffnesses, from now on. A method with elements or factors of its own overrides
+  /// this function, which changes constraints_ only. The simulation calls it before a substep if a factor
+  /// changes.
+  virtual void scale_stiffness(const StiffnessFactors& factors);
+
   virtual void substep(PassContext<Real>& context) = 0;
   virtual std::uint64_t projections_per_substep() const = 0;
 
@@ -64,9 +79,6 @@ class TimeStep : public Simulation {
   bool is_vertex(std::size_t point) const { return point < static_cast<std::size_t>(state_.vertex_count); }
   /// What coordinates of a point are relative to: State::origin, but 0 for a director.
   Vector3 origin_of(std::size_t point) const { return is_vertex(point) ? state_.origin : Vector3::Zero(); }
-  Vector3 world_position(std::size_t point) const {
-    return state_.position[point].vector().template cast<double>() + origin_of(point);
-  }
 
   /// Adds a pass of the method (not of an effect) to the end of `passes`.
   void add_pass(Passes& passes, const std::string& name, std::function<void(PassContext<Real>&)> run) {
@@ -140,8 +152,14 @@ class TimeStep : public Simulation {
   Positions to_rows(const Points<Real>& points, const Points<Real>& remainders, const Vector3& origin) const;
 
   void name_worst_triangle();
+  void follow_schedules();
 
   Real bound_;
+  bool yields_;  // whether any element can yield
+  Schedule strain_schedule_, bending_schedule_;
+  StiffnessFactors factors_;
+  Real strain_compliance_ = 0;  // of constraints_ as stated
+  double bending_compliance_ = 0;
   Points<Real> rest_;
   std::optional<ListOrders> lists_;  // empty once constraints_ are ordered
   std::vector<PassStatistics> statistics_;

@@ -30,6 +30,7 @@ constinit const BendingKind Bridson::kind{
     .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
     .settings = table_of<Bridson>({}),
     .softness_needs_compliance = true,
+    .softens = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

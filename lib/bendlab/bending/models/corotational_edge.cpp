@@ -29,6 +29,7 @@ constinit const BendingKind CorotationalEdge::kind{
         "1 / D, D the flexural rigidity in N m on equilateral triangles, as that of discrete_shells",
     .settings = table_of<CorotationalEdge>({}),
     .softness_needs_compliance = true,
+    .softens = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -31,6 +31,9 @@ constinit const BendingKind CorotationalFace::kind{
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
+    .takes_directions = true,
+    .softens = true,
+    .yields = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -40,6 +40,8 @@ constinit const BendingKind Dihedral::kind{
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .settings = table_of<Dihedral>(fields),
     .softness_needs_compliance = true,
+    .softens = true,
+    .yields = true,
     .is_reference = true,
     .build = erased<build>,
 };

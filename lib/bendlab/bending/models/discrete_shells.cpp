@@ -43,6 +43,8 @@ constinit const BendingKind DiscreteShells::kind{
         "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
     .settings = table_of<DiscreteShells>(fields),
     .softness_needs_compliance = true,
+    .softens = true,
+    .yields = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -52,16 +52,43 @@ constexpr std::array<std::array<double, 2>, 3> quadrature = {
     {{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}}};
 
 struct Triangle {
-  Eigen::Matrix2d inverse;                     // of the two edges in the rest triangle's plane, 1/m
+  Eigen::Matrix2d inverse;  // of the two edges in the rest triangle's plane, 1/m; the x axis is the warp,
+                            // if the rigidity depends on the direction
   std::array<Eigen::Vector3d, 3> rest_form{};  // b at the points of the quadrature
   double area;                                 // m²
   std::array<double, 3> length;                // of a normal, m
 };
 
+// Twice the energy per area of a curvature, for a flexural rigidity of 1 N m (its mean over the directions).
+class RelativeRigidity {
+ public:
+  explicit RelativeRigidity(const BendingInput& input) : poisson_ratio_(input.poisson_ratio) {
+    if (input.directed == nullptr) return;
+    const OrthotropicRigidity& stated = input.directed->rigidity;
+    const double mean = stated.mean();
+    directed_ = {stated.warp / mean, stated.weft / mean, stated.coupling / mean, stated.twist / mean};
+  }
+
+  template <class Scalar>
+  Scalar operator()(const Eigen::Matrix<Scalar, 2, 2>& k) const {
+    if (directed_)
+      return Scalar(directed_->warp) * k(0, 0) * k(0, 0) + Scalar(directed_->weft) * k(1, 1) * k(1, 1) +
+             Scalar(2 * directed_->coupling) * k(0, 0) * k(1, 1) +
+             Scalar(4 * directed_->twist) * k(0, 1) * k(0, 1);
+    const Scalar trace = k(0, 0) + k(1, 1);
+    return Scalar(1 - poisson_ratio_) * k.squaredNorm() + Scalar(poisson_ratio_) * trace * trace;
+  }
+
+ private:
+  double poisson_ratio_;
+  std::optional<OrthotropicRigidity> directed_;
+};
+
 // U of a triangle, for a flexural rigidity of 1 N m. A normal of another length than at rest has an energy,
 // too, so that its length is determined.
 template <class Scalar>
-Scalar energy_of(const Triangle& triangle, double poisson_ratio, const std::array<Vec<Scalar>, arity>& p) {
+Scalar energy_of(const Triangle& triangle, const RelativeRigidity& rigidity,
+                 const std::array<Vec<Scalar>, arity>& p) {
   std::array<Vec<Scalar>, 3> v, normal;
   Scalar sum(0);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,17 +105,15 @@ Scalar energy_of(const Triangle& triangle, double poisson_ratio, const std::arra
     form << b(0), b(1), b(1), b(2);
     const Eigen::Matrix<Scalar, 2, 2> inverse = triangle.inverse.template cast<Scalar>();
     const Eigen::Matrix<Scalar, 2, 2> k = inverse.transpose() * form * inverse;
-    const Scalar trace = k(0, 0) + k(1, 1);
-    sum += Scalar(0.5 * triangle.area / 3) *
-           (Scalar(1 - poisson_ratio) * k.squaredNorm() + Scalar(poisson_ratio) * trace * trace);
+    sum += Scalar(0.5 * triangle.area / 3) * rigidity(k);
   }
   return sum;
 }
 
 class Function final : public ElementFunction {
  public:
-  Function(std::vector<Triangle> triangles, double poisson_ratio)
-      : triangles_(std::move(triangles)), poisson_ratio_(poisson_ratio) {}
+  Function(std::vector<Triangle> triangles, const RelativeRigidity& rigidity)
+      : triangles_(std::move(triangles)), rigidity_(rigidity) {}
 
   std::string_view name() const override { return "dkt"; }
   bool is_energy() const override { return true; }
@@ -100,7 +125,7 @@ class Function final : public ElementFunction {
       for (std::size_t k = 0; k < 3 * arity; ++k)
         p[k / 3](static_cast<Eigen::Index>(k % 3)) =
             Number(corners[first + k], 3 * arity, static_cast<int>(k));
-      const Number energy = energy_of(triangles_[static_cast<std::size_t>(which[i])], poisson_ratio_, p);
+      const Number energy = energy_of(triangles_[static_cast<std::size_t>(which[i])], rigidity_, p);
       values[i] = energy.value();
       for (std::size_t k = 0; k < 3 * arity; ++k)
         gradients[first + k] = energy.derivatives()(static_cast<Eigen::Index>(k));
@@ -121,7 +146,7 @@ class Function final : public ElementFunction {
 
  private:
   std::vector<Triangle> triangles_;
-  double poisson_ratio_;
+  RelativeRigidity rigidity_;
 };
 
 // A normal at every vertex: the mean of its triangles' normals, weighted by area, as long as the root of the
@@ -164,7 +189,9 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
   for (const RestFace& face : faces) {
     if (std::ranges::all_of(face.vertices, [&](int v) { return input.pins.pinned(v); })) continue;
     const auto p = corners(rest.positions(), face.vertices);
-    const Vector3 x = (p[1] - p[0]).normalized(), y = (p[1] - p[0]).cross(p[2] - p[0]).normalized().cross(x);
+    const bool is_directed = input.directed != nullptr;
+    const Vector3 x = is_directed ? input.directed->warp[static_cast<std::size_t>(face.triangle)] : face.x,
+                  y = is_directed ? Vector3(face.x.cross(face.y).cross(x)) : face.y;
     Eigen::Matrix2d edges;
     edges << (p[1] - p[0]).dot(x), (p[2] - p[0]).dot(x), (p[1] - p[0]).dot(y), (p[2] - p[0]).dot(y);
     Triangle triangle{.inverse = edges.inverse(), .area = face.area, .length = {}};
@@ -176,7 +203,7 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
     triangles.push_back(triangle);
     own.softness.push_back(1);
   }
-  const auto function = std::make_shared<Function>(std::move(triangles), input.poisson_ratio);
+  const auto function = std::make_shared<Function>(std::move(triangles), RelativeRigidity(input));
   own.function = function;
   if (input.is_flat) return constraints;
   directors.rest = relaxed_directors(directors, constraints.elements, own, rest.positions(), directors.rest);
@@ -199,14 +226,15 @@ constinit const BendingKind Dkt::kind{
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
     .limits =
         "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness; needs "
-        "the "
-        "method newton, quasi_newton or equilibrium",
+        "the method newton, quasi_newton or equilibrium, and triangles that all face the same side",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
+    .uses_sides = true,
     .needs_energy = true,
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
+    .takes_directions = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

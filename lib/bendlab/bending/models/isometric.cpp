@@ -63,6 +63,7 @@ constinit const BendingKind Isometric::kind{
     .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
     .settings = table_of<Isometric>(fields),
     .softness_needs_compliance = true,
+    .softens = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -95,6 +95,7 @@ constinit const BendingKind Laplacian::kind{
     .settings = table_of<Laplacian>({}),
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
+    .softens = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -56,7 +56,7 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
   std::ranges::transform(faces, faces.begin(), clamped_first);
   const std::vector<int> director = directors_of_edges(faces, input.pins, constraints.directors);
   auto& list = std::get<ElementList<MidEdgeBend>>(constraints.elements);
-  list.law = static_cast<MidEdgeBend::Law>(settings.measure);
+  list.law = settings.measure;
   for (const RestFace& face : faces) {
     if (std::ranges::all_of(face.vertices, [&](int v) { return input.pins.pinned(v); })) continue;
     std::array<double, MidEdgeBend::rest_values> rest{};
@@ -81,7 +81,7 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
         for (std::size_t j = 0; j < 3; ++j)
           if (corner[6 + j] >= 0) corner[6 + i] = corner[6 + j];
     if (corner[6] < 0) continue;  // all three neighbours are clamped, so all vertices are pinned
-    std::ranges::copy(upper_factor(face, curvature, input.poisson_ratio), rest.begin() + 6);
+    std::ranges::copy(upper_factor(face, curvature, input), rest.begin() + 6);
     rest[12] = std::sqrt(2 * face.area);
     list.vertices.push_back(corner);
     list.rest.push_back(rest);
@@ -118,6 +118,9 @@ constinit const BendingKind MidEdge::kind{
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
+    .takes_directions = true,
+    .softens = true,
+    .yields = true,
     .build = erased<build>,
 };
 }  // namespace bendlab

@@ -93,6 +93,9 @@ class EquilibriumSearch final : public TimeStep<double> {
     for (std::size_t v = 0; v < input.point_count(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass_of(v));
+    // An equilibrium is that of the last stiffness.
+    constexpr double end = std::numeric_limits<double>::infinity();
+    system_.scale_stiffness({input.strain_schedule.at(end), input.bending_schedule.at(end)});
     compile_plan(std::move(effect_passes));
   }
 
@@ -115,6 +118,7 @@ class EquilibriumSearch final : public TimeStep<double> {
   }
 
  private:
+  void scale_stiffness(const StiffnessFactors&) override {}
   bool balanced() const {
     return unbalanced_ <= std::max(equilibrium_tolerance, rounding_) && last_move_ <= still * size_;
   }

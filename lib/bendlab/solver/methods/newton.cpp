@@ -57,9 +57,16 @@ class NewtonStep final : public ImplicitStep<double> {
   void archive(Archive& state) override {
     ImplicitStep<double>::archive(state);
     state(multipliers_);
+    if (yields()) system_.archive_yields(state);
   }
 
  private:
+  // Multipliers are the slopes of the energies, so they change with the stiffness.
+  void scale_stiffness(const StiffnessFactors& factors) override {
+    system_.scale_stiffness(factors);
+    multipliers_.resize(0);
+  }
+  std::size_t yield() override { return system_.yield(in_world(state_.position)); }
   Points<double> elastic_forces(const Points<double>& positions) const override {
     return system_.forces(in_world(positions));
   }

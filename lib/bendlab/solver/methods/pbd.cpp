@@ -282,6 +282,11 @@ class PbdStep final : public TimeStep<Real> {
     return count + (levels_ ? levels_->span_count() : 0);
   }
 
+  void scale_stiffness(const StiffnessFactors& factors) override {
+    Base::scale_stiffness(factors);
+    if (levels_) levels_->scale_stiffness(factors.strain);
+  }
+
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
@@ -321,6 +326,7 @@ class PbdStep final : public TimeStep<Real> {
     add_on_positions(after_sweep_, {Stage::project, Stage::contact});
     if (!this->held_.empty()) add_pass(after_sweep_, "hold", [this](auto&) { hold(); });
     add_pass(after_, "update", [this](auto& c) { update(c.substep); });
+    this->add_yield_pass(after_);
     add_effects(after_, Stage::velocity);
   }
 

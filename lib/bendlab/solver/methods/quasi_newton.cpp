@@ -124,11 +124,26 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   void archive(Archive& state) override {
     Base::archive(state);
     pairs_.archive(state);
-    state(softness_, load_, last_target_, pin_move_);
-    if (state.reads() && softness_) factorise();
+    state(softness_, load_, last_target_, pin_move_, factorised_);
+    if (!state.reads() || !softness_) return;
+    const StiffnessFactors now = scaled_;
+    scaled_ = factorised_, factorise(), scaled_ = now;
   }
 
  private:
+  // The matrix A stays while the stiffness differs little from that of A.
+  void scale_stiffness(const StiffnessFactors& factors) override {
+    Base::scale_stiffness(factors);
+    pairs_.forget_last();
+    constexpr double far = 1.25;
+    const auto is_far = [](double now, double before) { return now > far * before || before > far * now; };
+    scaled_ = factors;
+    if (!factor_ ||
+        !(is_far(factors.strain, factorised_.strain) || is_far(factors.bending, factorised_.bending)))
+      return;
+    factorise();
+    pairs_.clear();
+  }
   const char* preparation() const override { return "factorise"; }
   void prepare() override {
     if (!factor_) load_ = data_.total_force, factorise();
@@ -202,16 +217,21 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     if (soft_membrane_) softness = soft_membrane_->softness(membrane_error_, load_);
     softness_ = softness.empty() ? 1 : *std::ranges::max_element(softness);
     StrainBatch<Real>& strain = constraints_.strain;
+    const std::vector<double>& stated = metric_.stated_softness();
     strain.softness.clear();
-    if (softness_ > 1) {
+    if (softness_ > 1 || !stated.empty()) {
       strain.softness.assign(strain.a.size(), 1);
       const std::vector<int> triangle = strain.order.constraint_of_lane();
       for (std::size_t lane = 0; lane < triangle.size(); ++lane)
         if (triangle[lane] >= 0)
-          strain.softness[lane] = static_cast<Real>(softness[static_cast<std::size_t>(triangle[lane])]);
+          strain.softness[lane] =
+              static_cast<Real>(softness[static_cast<std::size_t>(triangle[lane])] *
+                                (stated.empty() ? 1 : stated[static_cast<std::size_t>(triangle[lane])]));
     }
+    factorised_ = scaled_;
+    for (double& of_triangle : softness) of_triangle /= scaled_.strain;
     Eigen::SparseMatrix<double> matrix = metric_.membrane(softness);
-    if (!bending_is_small(matrix)) matrix += metric_.bending();
+    if (!bending_is_small(matrix)) matrix += scaled_.bending * metric_.bending();
     const std::vector<Real> lasting = this->lasting_weights();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) +=
@@ -225,7 +245,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   // because hinges join vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
     constexpr double most = 0.01;
-    return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
+    return (scaled_.bending * metric_.bending().diagonal().array() <= most * membrane.diagonal().array())
+        .all();
   }
 
   Points<Real> elastic_forces(const Points<Real>& positions) const override {
@@ -294,6 +315,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   Points<Real> target_change_, applied_change_, last_target_;  // by slot
   Points<Real> pin_move_;                                      // of pinned_ in the last substep, m
   Real edge_ = 0;                                              // of a mean triangle at rest, m
+  StiffnessFactors scaled_, factorised_;                       // of the stiffness now, and of A
   Real last_share_ = 0, last_longest_ = 0;  // the last move as a share of direction_; its length, m
   bool stepped_back_ = false;
 };

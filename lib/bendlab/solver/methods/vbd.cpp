@@ -43,12 +43,18 @@ class VbdStep final : public ImplicitStep<double> {
     compile_plan(std::move(effect_passes), 10, 0);
   }
 
+  void archive(Archive& state) override {
+    ImplicitStep<double>::archive(state);
+    if (yields()) system_.archive_yields(state);
+  }
   std::size_t memory_bytes() const override {
     return ImplicitStep<double>::memory_bytes() + system_.memory_bytes() +
            static_cast<std::size_t>(3 * positions_.size()) * sizeof(double);
   }
 
  private:
+  void scale_stiffness(const StiffnessFactors& factors) override { system_.scale_stiffness(factors); }
+  std::size_t yield() override { return system_.yield(in_world(state_.position)); }
   Points<double> elastic_forces(const Points<double>& positions) const override {
     return system_.forces(in_world(positions));
   }
