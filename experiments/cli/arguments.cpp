@@ -45,6 +45,8 @@ struct Arguments {
   StiffnessArguments stiffness;
   AdviseArguments advise;
   DialectArguments dialect;
+  FabricsArguments fabrics;
+  FitArguments fit;
   BenchOptions bench;
   ListArguments listed;
   CompareArguments compared;
@@ -58,7 +60,7 @@ struct Arguments {
 };
 
 // Examples for --help: complete commands for a checkout with results.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 27> examples = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 29> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
     {"validate", "bendlab validate configs/recommended.json"},
@@ -81,6 +83,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 27> examples
     {"bench", "bendlab bench --quick --filter strain"},
     {"models", "bendlab models --json"},
     {"effects", "bendlab effects"},
+    {"fit", "bendlab fit strip.json --measured warp.csv --find /bending/flexural_rigidity"},
+    {"fabrics", "bendlab fabrics --kes-warp warp.csv --kes-weft weft.csv --mass 124"},
     {"measures", "bendlab measures"},
     {"methods", "bendlab methods"},
     {"schema", "bendlab schema --json > schema.json"},
@@ -497,6 +501,45 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
   add_json(mesh, a, "Print one JSON object");
 }
 
+void add_fit_command(CLI::App& app, Arguments& a) {
+  CLI::App* fit = add_command(
+      app, a, "fit", "Find settings of a config, such as rigidities, from measured shapes of cloth at rest",
+      [&a] { return fit_command(a.fit, a.json); });
+  FitArguments& f = a.fit;
+  fit->add_option("config", f.config, "Config of the experiment, with a run for each specimen")->required();
+  fit->add_option(
+         "--measured", f.measured,
+         "File of points on a specimen, in m, in the coordinates of the mesh (the middle of a grid is the "
+         "origin): columns x and z along its middle, or x, y and z. Once for each run of the config")
+      ->required();
+  fit->add_option("--find", f.settings,
+                  "JSON pointer of a setting to find; its value in the config is the first guess")
+      ->required();
+  fit->add_option("--uncertainty", f.uncertainty,
+                  "Standard uncertainty of a measured point in m (default and least: from the distances that "
+                  "remain, and from the size of the cells)")
+      ->check(CLI::PositiveNumber);
+  fit->add_option("--set", f.overrides, "Change a setting: /json/pointer=value");
+  add_json(fit, a, "Print the result as JSON");
+}
+
+void add_fabrics_command(CLI::App& app, Arguments& a) {
+  CLI::App* fabrics =
+      add_command(app, a, "fabrics",
+                  "List fabrics with measured numbers, or read measurements into the settings of a config",
+                  [&a] { return fabrics_command(a.fabrics, a.json); });
+  FabricsArguments& f = a.fabrics;
+  fabrics->add_option(
+      "--kes-warp", f.kes_warp,
+      "Curve of KES-FB2 along the warp: curvature in 1/cm and moment in gf cm/cm, two columns");
+  fabrics->add_option("--kes-weft", f.kes_weft, "Curve of KES-FB2 along the weft");
+  fabrics->add_option("--astm", f.astm,
+                      "Overhangs of ASTM D1388 at 41.5 degrees: warp, weft or bias, and the overhang in mm");
+  fabrics->add_option("--arcsim", f.arcsim, "Material file of ARCSim (JSON)");
+  fabrics->add_option("--mass", f.mass, "Mass per area in g/m²")->check(CLI::PositiveNumber);
+  add_json(fabrics, a, "Print the list as JSON, with the sources");
+}
+
 void add_bench_command(CLI::App& app, Arguments& a) {
   CLI::App* bench = add_command(app, a, "bench", "Measure what the solver costs on this machine",
                                 [&a] { return bench_command(a.bench, a.list, a.json); });
@@ -589,6 +632,8 @@ int parsed_command(int argc, char** argv) {
                     models_text, models_json);
   add_documentation(app, arguments, "effects", "List the effects: settings, defaults, sources", effects_text,
                     effects_json);
+  add_fabrics_command(app, arguments);
+  add_fit_command(app, arguments);
   add_documentation(app, arguments, "measures", "List the measures: their metrics, units, meanings and cost",
                     measures_text, measures_json);
   add_documentation(app, arguments, "methods", "List the solver methods: settings, defaults, sources",

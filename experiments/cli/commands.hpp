@@ -71,6 +71,24 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
 /// Prints the progress of the runs of a plan, which may be computed on any machine.
 int status_command(const std::filesystem::path& plan, bool json);
 
+/// Files with measurements, and the mass per area in g/m².
+struct FabricsArguments {
+  std::string kes_warp, kes_weft, astm, arcsim;
+  std::optional<double> mass;
+};
+/// Lists the fabrics by name, or prints the settings that measurements mean.
+int fabrics_command(const FabricsArguments& arguments, bool json);
+
+struct FitArguments {
+  std::filesystem::path config;
+  std::vector<std::string> overrides;  ///< "/json/pointer=value"
+  std::vector<std::string> measured;   ///< files of points, one for each run of the config
+  std::vector<std::string> settings;   ///< JSON pointers
+  std::optional<double> uncertainty;   ///< of a point, m
+};
+/// Finds settings from measured shapes. Returns 1 if the data cannot tell a setting.
+int fit_command(const FitArguments& arguments, bool json);
+
 struct SubmitArguments {
   int tasks = 0;     ///< tasks of the job array; 0: each is expected to last at least a minute
   int cpus = 1;      ///< cores of a task

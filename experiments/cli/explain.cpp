@@ -28,6 +28,7 @@ std::string reason_of(const std::string& pass, const RunConfig& config, const st
   for (std::size_t index = 0; index < effects.size(); ++index)
     if (belongs(pass, pass_name(effects, index)))
       return fmt::format("/effects/{}: {}", index, effects[index].kind().summary);
+  if (pass == "yield") return "/bending/hysteresis, /bending/plasticity: bends beyond the yield stay";
   if (pass == "bending") return fmt::format("/bending/model: {}", config.scene().bending.model.name());
   const MethodKind& method = config.scene().solver.method.kind();
   for (const std::span<const MethodPass> passes :

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 /// One stage: experiments that are run together, after which the page is made.
 struct PageStage {
-  std::array<std::string_view, 3> configs;  ///< folders or files below configs/
+  std::array<std::string_view, 4> configs;  ///< folders or files below configs/
   std::string_view option{};                ///< an option for analysis/page.py
 };
 
@@ -37,7 +37,7 @@ constexpr std::array reproducibles = {
     Reproducible{"paper", "paper", {first_figure, whole_paper}},
     Reproducible{"verification", "verification", {PageStage{{"verification"}}}},
     Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}}}},
-    Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin", "methods"}}}},
+    Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin", "methods", "fabrics"}}}},
     Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}}}},
     Reproducible{"plain", "plain", {PageStage{{"plain"}}}},
 };

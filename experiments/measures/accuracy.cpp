@@ -83,7 +83,7 @@ class Errors final : public Measurement {
             .down = scene_.down,
             .over_time = over_time_,
             .inextensible = against == Against::physical,
-            .energy_scale = over_time_ ? energy_scale(scene_) : 0};
+            .energy_scale = over_time_ && !has_history(scene_.input) ? energy_scale(scene_) : 0};
   }
 
   // Nothing if there is no reference to compare with; a message in `findings` says why.

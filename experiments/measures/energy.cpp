@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <limits>
 #include <string_view>
 
+#include "bendlab/constraints/yielding.hpp"
 #include "bendlab/scene/energy.hpp"
 #include "experiments/measures/measure.hpp"
 
@@ -14,22 +16,35 @@ class Energy final : public Measurement {
   Energy(const RunConfig&, const BuiltScene& scene) : scene_(scene) {}
 
   void finish(const RunEnd& end, Findings& findings) override {
-    const Positions sum = add_energies(scene_.input.positions, "start", findings);
+    const Positions sum = add_energies(scene_.input.positions, 0, "start", findings);
     double largest = 0;
     for (const auto force : sum.rowwise()) largest = std::max(largest, force.norm());
     findings.summary["energy_resultant_start"] = sum.colwise().sum().norm();
     findings.summary["energy_force_start"] = largest;
-    if (is_whole(end.status)) add_energies(end.simulation.positions(), "end", findings);
+    if (!is_whole(end.status)) return;
+    if (can_yield(scene_.input.elements))
+      findings.messages.push_back(
+          "the energy at the end is not known, because hysteresis and plasticity depend on how the cloth "
+          "moved");
+    else  // an equilibrium is that of the last stiffness
+      add_energies(end.simulation.positions(),
+                   scene_.input.method.kind().has_motion ? end.simulation.time()
+                                                         : std::numeric_limits<double>::infinity(),
+                   "end", findings);
   }
 
  private:
-  // Adds the energies of a pose. Returns the elastic forces, #V by 3, N.
-  Positions add_energies(const Positions& pose, std::string_view when, Findings& findings) const {
+  // Adds the energies of a pose at a time (s). Returns the elastic forces, #V by 3, N.
+  Positions add_energies(const Positions& pose, double time, std::string_view when,
+                         Findings& findings) const {
     double membrane = 0, bending = 0;
     Positions sum = Positions::Zero(pose.rows(), 3);
     for (const EnergyPart& part : energy_parts(scene_.input, pose)) {
-      (part.name == "strain" ? membrane : bending) += part.energy;
-      sum += part.forces;
+      const bool is_strain = part.name == "strain";
+      const double factor =
+          (is_strain ? scene_.input.strain_schedule : scene_.input.bending_schedule).at(time);
+      (is_strain ? membrane : bending) += factor * part.energy;
+      sum += factor * part.forces;
     }
     findings.summary[fmt::format("energy_membrane_{}", when)] = membrane;
     findings.summary[fmt::format("energy_bending_{}", when)] = bending;

@@ -17,7 +17,7 @@ namespace bendlab {
 
 namespace measure {
 extern const Measure motion, stretch, drop, quality, stability, effective_stiffness, stiffness, drape,
-    step_residual, accuracy, energy;
+    step_residual, accuracy, energy, keyframes;
 }
 
 namespace {
@@ -25,7 +25,7 @@ namespace {
 constexpr std::array listed = {&measure::motion,    &measure::stretch,   &measure::drop,
                                &measure::quality,   &measure::stability, &measure::effective_stiffness,
                                &measure::stiffness, &measure::drape,     &measure::step_residual,
-                               &measure::accuracy,  &measure::energy};
+                               &measure::accuracy,  &measure::energy,    &measure::keyframes};
 
 std::size_t index_of(std::span<const Column> columns, std::string_view name) {
   const auto column = std::ranges::find(columns, name, &Column::name);

@@ -54,7 +54,7 @@ StabilityMeter::StabilityMeter(const BuiltScene& scene, double duration)
 void StabilityMeter::look_at_energy(const Positions& positions, const Positions& velocities) {
   const double before = energy_;
   energy_ = motion_of(scene_.input.mass, positions, velocities).kinetic_energy +
-            potential_energy(scene_, positions);
+            potential_energy(scene_, positions, &directors_);
   if (looks_ == 0) {
     first_energy_ = highest_energy_ = energy_;
     energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // the same as energy_scale()
@@ -145,7 +145,14 @@ class Stability final : public Measurement {
   Stability(const RunConfig& config, const BuiltScene& scene) : meter_(scene, config.scene().duration) {}
 
   void step(const Simulation& simulation, const Moment&) override { meter_.look(simulation); }
-  void finish(const RunEnd&, Findings& findings) override { findings.summary.merge(meter_.summary()); }
+  void finish(const RunEnd&, Findings& findings) override {
+    findings.summary.merge(meter_.summary());
+    if (meter_.lacks_energy())
+      findings.messages.push_back(
+          "stability_energy_scale, _gain and _rises are not known, because the energy does not follow from "
+          "the "
+          "pose alone (hysteresis, plasticity, over_time)");
+  }
   void archive(Archive& state) override { meter_.archive(state); }
 
  private:

@@ -106,7 +106,9 @@ Plausibility::Plausibility(const BuiltScene& scene)
 }
 
 void Plausibility::find_what_drives() {
-  driven_ = std::ranges::any_of(scene_.effects, does_work);
+  const SimulationInput& input = scene_.input;
+  driven_ = std::ranges::any_of(scene_.effects, does_work) || input.strain_schedule.is_given() ||
+            input.bending_schedule.is_given();
   free_ =
       scene_.pins.all.empty() && scene_.pins.held.empty() && scene_.input.method.kind().keeps_momentum &&
       std::ranges::all_of(scene_.effects, [](const Effect& effect) { return effect.kind().keeps_momentum; });
@@ -160,9 +162,10 @@ void Plausibility::find_stretch_limits() {
     const double load = mass_ * gravity_.norm() + largest_force(scene_);
     const double energy = energy_scale_ + largest_force(scene_) * scene_.rest.size();
     const double speed = std::sqrt(2 * energy / mass_);
-    softer = sudden_and_uneven * (strain.compliance * load / scene_.rest.mean_edge_length() +
-                                  speed * std::sqrt(strain.compliance * mass_ / area));
-    softer_mean = std::sqrt(2 * strain.compliance * energy / area);
+    const double softest = input.softest_membrane() / input.strain_schedule.least();
+    softer = sudden_and_uneven *
+             (softest * load / scene_.rest.mean_edge_length() + speed * std::sqrt(softest * mass_ / area));
+    softer_mean = std::sqrt(2 * softest * energy / area);
   } else {
     share = share_per_step(strain, std::min(strain.warp, strain.weft), input);
     shear_share = share_per_step(strain, strain.shear, input);

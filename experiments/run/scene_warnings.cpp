@@ -9,6 +9,8 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
+#include "bendlab/mesh/half_edges.hpp"
+#include "bendlab/scene/fabrics.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/scene/inside.hpp"
 #include "bendlab/settings/median.hpp"
@@ -57,6 +59,36 @@ Message friction_without_obstacle(const WarningInput& input) {
   if (friction == effects.end() || has_obstacle(input.scene)) return std::nullopt;
   return fmt::format("/effects/{} ({}) does nothing, because it acts on obstacles and there is no obstacle",
                      friction - effects.begin(), friction->name());
+}
+
+// ---- mixed_sides
+
+Message mixed_sides(const WarningInput& input) {
+  std::string who;
+  if (const BendingKind& model = input.config.scene().bending.model.kind(); model.uses_sides)
+    who = fmt::format("the bending model {}", model.name);
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index)
+    if (const Effect& effect = input.scene.effects[index]; effect.kind().uses_sides)
+      who = fmt::format("/effects/{} ({})", index, effect.name());
+  if (who.empty()) return std::nullopt;
+  const Triangles& triangles = input.scene.rest.triangles();
+  std::size_t shared = 0, mixed = 0;
+  for_each_edge(half_edges(triangles), [&](std::span<const HalfEdge<int>> sides) {
+    if (sides.size() != 2) return;
+    ++shared;
+    if (triangles(sides[0].triangle(), sides[0].corner()) ==
+        triangles(sides[1].triangle(), sides[1].corner()))
+      ++mixed;
+  });
+  if (mixed == 0) return std::nullopt;
+  const double share = static_cast<double>(mixed) / static_cast<double>(shared);
+  return WarningText(
+      fmt::format(
+          "{} acts in opposite directions on triangles that face different sides, as those at {} of {} "
+          "edges do. Set /mesh/bad_triangles to repair, which turns triangles so that all "
+          "face the same side, or turn their normals in an editor",
+          who, mixed, shared),
+      share, fmt::format("{:.0f} %", 100 * share));
 }
 
 // ---- doubtful_effect
@@ -165,20 +197,32 @@ constexpr double most_strain = 1;
 // Bending length divided by extent. A sheet that would sag only if it were five times as long is a board.
 // Paper 0.2 m long has a ratio of 0.5; a steel sheet 1 mm thick and 1 m long has 0.6.
 constexpr double longest_bending_length = 5;
+constexpr double shortest_bending_length = 5e-4;  // m; our softest fabric has 0.01 m
+constexpr double largest_friction = 600;          // HB/B, 1/m: ten times the largest that was measured
 
 // The warning about a stiffness that does not fit the weight of the cloth. `load`: weight per area, N/m².
 std::optional<std::string> odd_stiffness(const WarningInput& input, double load, double extent) {
   const StrainStiffness& strain = input.scene.input.strain_stiffness;
-  const double weight_strain =
-      strain.kind == StiffnessKind::compliance ? strain.compliance * load * extent : 0;
+  const double softest = input.scene.input.softest_membrane();
+  const double weight_strain = strain.kind == StiffnessKind::compliance ? softest * load * extent : 0;
   if (weight_strain > most_strain)
     return fmt::format(
         "the cloth's own weight stretches a membrane of {:.3g} N/m to {:.2g} times its length: is "
         "/material/strain in other units? A thin cotton has about 1e4 N/m",
-        1 / strain.compliance, 1 + weight_strain);
+        1 / softest, 1 + weight_strain);
   const Bending& bending = input.config.scene().bending;
   if (bending.stiffness != Stiffness::physical || !bending.flexural_rigidity) return std::nullopt;
   const double rigidity = *bending.flexural_rigidity, length = std::cbrt(rigidity / load);
+  if (bending.hysteresis.hb && *bending.hysteresis.hb > largest_friction * rigidity)
+    return fmt::format(
+        "with HB = {:.3g} N a sheet may keep a curvature of {:.2g} /m: is hb in other units? The "
+        "fabrics that we know keep 18 to 53 /m; 1 gf cm/cm is 9.8e-3 N",
+        *bending.hysteresis.hb, *bending.hysteresis.hb / rigidity);
+  if (rigidity > 0 && length < shortest_bending_length)
+    return fmt::format(
+        "with a flexural rigidity of {:.3g} N m, a strip longer than {:.2g} mm hangs down: is the "
+        "rigidity in other units? A light cotton has 1e-5 N m; 1 gf cm²/cm is 9.8e-5 N m",
+        rigidity, 1e3 * length);
   if (!(length > longest_bending_length * extent)) return std::nullopt;
   return fmt::format(
       "with a flexural rigidity of {:.3g} N m, gravity cannot bend this sheet: the sheet would sag only if "
@@ -215,6 +259,40 @@ Message units(const WarningInput& input) {
         extent,
         time > longest_time ? "as long as a theatre's curtain, or longer" : "shorter than a fingertip", g);
   return odd_stiffness(input, density * g, extent);
+}
+
+// ---- fabric_without_friction
+
+Message fabric_without_friction(const WarningInput& input) {
+  const Scene& scene = input.config.scene();
+  const Fabric* const fabric = scene.material.fabric ? find_fabric(*scene.material.fabric) : nullptr;
+  if (fabric == nullptr) return std::nullopt;
+  if (scene.bending.stiffness != Stiffness::physical)
+    return WarningText(
+        fmt::format("the run takes the density of {}, but not its rigidity: /bending/stiffness is "
+                    "not physical. Remove /bending/stiffness to have the rigidity",
+                    fabric->name),
+        0, "");
+  const BendingKind& model = scene.bending.model.kind();
+  const bool rubs = fabric->friction > 0 && !scene.bending.hysteresis.is_given(),
+             softens = fabric->half_at > 0 && !scene.bending.softening.is_given();
+  if (!rubs && !softens) return std::nullopt;
+  const double size = rubs ? fabric->friction / (0.5 * (fabric->warp + fabric->weft)) : fabric->half_at;
+  const bool has_motion = scene.solver.method.kind().has_motion;
+  const std::string reason =
+      !(rubs ? model.yields : model.softens)
+          ? fmt::format("{} cannot have it: choose mid_edge or discrete_shells", model.name)
+      : rubs && !has_motion ? fmt::format("{} has no motion: choose quasi_newton", scene.solver.method.name())
+      : rubs                ? std::string(
+                                  "a hinge has friction only if its measure is theta: set "
+                                                 "/bending/discrete_shells/measure to theta")
+             : std::string(
+                   "the config states folds that stay (/bending/plasticity), and a sheet "
+                   "cannot have both");
+  return WarningText(
+      fmt::format("the run leaves out the {} = {:.3g} /m of {}, because {}",
+                  rubs ? "internal friction HB/B" : "softening κ½", size, fabric->name, reason),
+      size, fmt::format("{:.3g} /m", size));
 }
 
 }  // namespace bendlab

@@ -101,10 +101,16 @@ std::string choice_at(const WarningInput& input, const char* pointer) {
 Message inert_stiffness(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   for (const char* kind : {"/bending/stiffness", "/material/strain/stiffness"})
-    if (const std::vector<std::string> pointers = unread(input, kind); !pointers.empty())
+    if (const std::vector<std::string> pointers = unread(input, kind); !pointers.empty()) {
+      const auto readers = choices_that_read(*find_setting(Json(), pointers.front()));
+      if (std::ranges::find(readers, choice_at(input, kind)) != readers.end())
+        return fmt::format(
+            "{} changes nothing here, because another setting states this stiffness, for example by "
+            "direction, as a curve, or as a shell. Remove this setting or the other",
+            pointers.front());
       return fmt::format("{} changes nothing here, because {} is {}. Choose {} there, or remove the setting",
-                         pointers.front(), kind, choice_at(input, kind),
-                         fmt::join(choices_that_read(*find_setting(Json(), pointers.front())), " or "));
+                         pointers.front(), kind, choice_at(input, kind), fmt::join(readers, " or "));
+    }
   return std::nullopt;
 }
 

@@ -28,11 +28,13 @@ Message replaced_setting(const WarningInput& input);
 Message piece_without_pin(const WarningInput& input);
 Message effect_without_pins(const WarningInput& input);
 Message friction_without_obstacle(const WarningInput& input);
+Message mixed_sides(const WarningInput& input);
 Message doubtful_effect(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
 Message units(const WarningInput& input);
+Message fabric_without_friction(const WarningInput& input);
 
 // Warnings about the solver, in solver_warnings.cpp.
 Message unconverged(const WarningInput& input);

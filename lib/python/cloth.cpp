@@ -197,9 +197,18 @@ py::array PythonCloth::pinned() const {
   return view_of(arrays_->pinned, arrays_).attr("reshape")(-1);
 }
 
+// Energies and forces follow from the pose alone only without state of elements and without schedules.
+void expect_no_history(const BuiltScene& scene) {
+  if (has_history(scene.input))
+    throw std::invalid_argument(
+        "the energies and forces of this cloth are not known, because they depend on how it moved "
+        "(hysteresis, plasticity) or on time (over_time)");
+}
+
 py::dict PythonCloth::energies() {
   const Use use(*this);
   const BuiltScene& scene = cloth_.scene();
+  expect_no_history(scene);
   const Positions positions = cloth_.positions();
   py::dict by_kind;
   by_kind["kinetic"] = motion_of(scene.input.mass, positions, cloth_.velocities()).kinetic_energy;
@@ -211,6 +220,7 @@ py::dict PythonCloth::energies() {
 
 py::dict PythonCloth::forces() {
   const Use use(*this);
+  expect_no_history(cloth_.scene());
   const Positions positions = cloth_.positions();
   py::dict by_kind;
   for (const EnergyPart& part : energy_parts(cloth_.scene().input, positions)) {

@@ -11,9 +11,8 @@ import bendlab as bl  # noqa: E402
 from bendlab.settings import Settings  # noqa: E402
 
 # Types of members that have settings of their own.
-PARTS = {"mesh": "Mesh", "pins": "Pins | Sequence[str | int]", "material": "Material", "strain": "Strain",
-         "bending": "Model", "solver": "Method", "effects": "Sequence[Effect] | None", "initial": "Initial",
-         "surface": "Surface"}
+PARTS = {"mesh": "Mesh", "pins": "Pins | Sequence[str | int]", "material": "Material",
+         "bending": "Model", "solver": "Method", "effects": "Sequence[Effect] | None", "initial": "Initial"}
 
 
 def documentation(text, indent):
@@ -28,7 +27,8 @@ def type_of(field):
 def class_stub(cls):
     """A class with a typed attribute for each setting, and a constructor by keywords."""
     fields = {field["name"]: type_of(field) for table in reversed(cls._tables) for field in table.fields}
-    parts = {name: PARTS[name] for name, value in inspect.getmembers(cls) if type(value).__name__ == "Part"}
+    parts = {name: cls._inner[name].__name__ if name in cls._inner else PARTS[name]
+             for name, value in inspect.getmembers(cls) if type(value).__name__ == "Part"}
     members = {**fields, **parts}
     base = cls.__mro__[1].__name__
     lines = [f"class {cls.__name__}({base if base in ('Model', 'Method', 'Effect') else 'Settings'}):",

@@ -1,4 +1,6 @@
 // `bendlab bench` measures, and programs can read its output.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -79,7 +81,7 @@ TEST_CASE("bench measures set-up, recording, sweeps and convergence", "[bench]")
 }
 
 TEST_CASE("bench measures the solver methods and the parts of quasi_newton", "[bench]") {
-  const auto rows = rows_of("^(method|gradient|solve)");
+  const auto rows = rows_of("^(method|gradient|solve|law)");
   const auto row = [&](const std::string& name, const std::string& scalar, int threads = 1) {
     INFO(name << " " << scalar << " " << threads);
     const auto match = std::ranges::find_if(rows, [&](const auto& entry) {
@@ -103,6 +105,9 @@ TEST_CASE("bench measures the solver methods and the parts of quasi_newton", "[b
                WithinRel(row("gradient_oracle/32", "double").at("force_N").get<double>(), 0.01));
   }
   for (const char* method : {"method/newton/32", "method/vbd/32"}) row(method, "double");
+  for (const char* method : {"pbd", "quasi_newton"})
+    for (const char* law : {"discrete_shells/one_rigidity", "mid_edge/friction"})
+      CHECK(row(fmt::format("law/{}/{}/32", method, law), "float").at("step_ms") > 0);
   CHECK(row("solve/32", "float").at("entries_per_vertex") > 5);
   CHECK(row("method/quasi_newton/32", "float").at("roofline_fraction") > 0);
 }

@@ -71,6 +71,31 @@ TEST_CASE("measures: the summary of a run has exactly the metrics of its measure
     CHECK_FALSE(plain.contains(name));
 }
 
+// A strip hangs by its left side along x, and its membrane slowly becomes 4 times as stiff. With the tension
+// ρ g (L - x), the energy of the stated stiffness Y is w (ρ g)² L³ / 6 Y over the square of the factor.
+TEST_CASE("measures: the work of keyframes is that of a strip which is pulled up slowly", "[measures]") {
+  const Workplace here;
+  const auto findings_of = [&](const std::string& bending) {
+    const Experiment experiment = parse_experiment(
+        R"({"name": "lift", "duration": 7, "mesh": {"cells": 24, "width": 0.5, "height": 0.1},
+          "pins": {"vertices": ["left"]},
+          "bending": {"model": "discrete_shells", "flexural_rigidity": 1e-5)" +
+            bending + R"(},
+          "material": {"density": 0.2, "strain": {"stiffness": "physical", "membrane_stiffness": 200,
+            "over_time": {"times": [3, 6], "factors": [1, 4]}}},
+          "solver": {"membrane": "stated"},
+          "effects": [{"type": "gravity", "acceleration": [9.81, 0, 0]},
+                      {"type": "viscous_drag", "coefficient": 2}]})",
+        "test");
+    return execute_run(experiment, experiment.runs.front(), here.folder / ("out" + bending.substr(0, 1)));
+  };
+  const double tension = 0.2 * 9.81 * 0.5;  // N/m, at the pins
+  const double energy = 0.1 * tension * tension * 0.5 / (6 * 200);
+  CHECK_THAT(findings_of("").summary.at("keyframe_work"),
+             Catch::Matchers::WithinRel(energy * (1 - 1.0 / 4), 0.01));  // strains of at most 0.5 %
+  CHECK_FALSE(findings_of(R"(, "hysteresis": {"hb": 1e-5})").summary.contains("keyframe_work"));
+}
+
 TEST_CASE("measures: an unknown measure is refused, and the message lists the known measures", "[measures]") {
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "defaults": "paper",
           "output": {"measures": ["motion"]}})",

@@ -198,6 +198,19 @@ TEST_CASE("plausible: kinetic energy must come from the fall of the weight", "[p
              WithinRel(weight * (0.3 + 0.4), 0.1));  // without the share of the pinned vertex
 }
 
+TEST_CASE("plausible: keyframes of a stiffness may add energy", "[plausibility]") {
+  const auto broken = [](const std::string& over_time) {
+    const BuiltScene scene = scene_of(on_a_corner + R"(, "bending": {"model": "discrete_shells",
+        "flexural_rigidity": 1e-5)" + over_time +
+                                      "}");
+    Positions velocities = still(scene);
+    velocities.col(2).setConstant(30);  // 10 times the speed of a fall of 0.5 s
+    return after(scene, 0.3, scene.input.positions, velocities);
+  };
+  CHECK(broken(""));
+  CHECK_FALSE(broken(R"(, "over_time": {"times": [0, 0.3], "factors": [1, 1000]})"));
+}
+
 TEST_CASE("plausible: an inextensible membrane is twice as long for at most a moment", "[plausibility]") {
   const BuiltScene scene = scene_of(on_a_corner);
   CHECK_FALSE(stretched(scene, 0, 2, 1.9, 0.15));

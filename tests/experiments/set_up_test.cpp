@@ -41,7 +41,7 @@ const std::vector<Refusal> refusals = {
      {"--set /bending/isometric/constraint=norm"}},
     {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "dihedral", "deflection": "small"})",
      "/bending/stiffness",
-     R"(set "deflection" to "large")",
+     R"(set it to "large", or choose)",
      {"--set /bending/deflection=large"}},
     {small + R"("bending": {"model": "dihedral", "deflection": "small"})",
      "/bending/stiffness",

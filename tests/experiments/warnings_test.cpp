@@ -102,6 +102,58 @@ TEST_CASE("warnings: friction without obstacles", "[warnings]") {
   CHECK(codes(R"(, {"type": "plane", "point": [0, 0, -1]})").empty());
 }
 
+TEST_CASE("warnings: triangles that face different sides under a pressure, a moment or dkt", "[warnings]") {
+  const auto codes = [](const std::string& policy, const std::string& more) {
+    return codes_of(R"("mesh": {"cells": 4, "flaw": "mixed_orientation", "bad_triangles": ")" + policy +
+                    R"("}, )" + more);
+  };
+  const std::string pressure = R"("effects": [{"type": "pressure", "pressure": 1}])",
+                    moment = R"("effects": [{"type": "moment", "vertices": ["left"], "moment": 1e-5}])",
+                    dkt =
+                        R"("bending": {"model": "dkt", "compliance": 1e5}, "solver": {"method": "newton"}, )"
+                        R"("material": {"strain": {"membrane_stiffness": 1e4}})";
+  for (const std::string& more : {pressure, moment, dkt}) {
+    CAPTURE(more);
+    CHECK(codes("regularise", more).contains("mixed_sides"));
+    CHECK(!codes("repair", more).contains("mixed_sides"));
+  }
+  CHECK(codes("regularise", R"("effects": [{"type": "gravity"}])").empty());
+  // In a grid of 4 by 4 cells every second triangle is reversed: all 40 shared edges join a reversed and an
+  // unreversed triangle.
+  CHECK_THAT(
+      message_of(
+          "mixed_sides",
+          R"("mesh": {"cells": 4, "flaw": "mixed_orientation", "bad_triangles": "regularise"}, )" + pressure),
+      ContainsSubstring("40 of 40"));
+}
+
+TEST_CASE("warnings: a fabric whose friction or softening the run leaves out", "[warnings]") {
+  const auto leaves_out = [](const std::string& fabric, const std::string& bending, const char* method) {
+    return codes_of(R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"}], "material": {"fabric": ")" +
+                    fabric + R"(", "strain": {"membrane_stiffness": 1e3}}, "bending": {"model": ")" +
+                    bending + R"(}, "solver": {"method": ")" + method + "\"}")
+        .contains("fabric_without_friction");
+  };
+  CHECK(!leaves_out("cotton_broad", R"(discrete_shells")", "newton"));
+  CHECK(leaves_out("cotton_broad", R"(prestressed")", "newton"));
+  CHECK(leaves_out("cotton_broad", R"(discrete_shells", "discrete_shells": {"measure": "tan"})", "newton"));
+  CHECK(leaves_out("cotton_broad", R"(discrete_shells")", "equilibrium"));
+  CHECK(!leaves_out("feng_1", R"(mid_edge")", "newton"));
+  CHECK(leaves_out("feng_1", R"(mid_edge", "plasticity": {"yield_at": 50})", "newton"));
+}
+
+TEST_CASE("warnings: a rigidity and a friction in other units", "[warnings]") {
+  const auto codes = [](const char* bending) {
+    return codes_of(
+        R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"}], "bending": {"model": "mid_edge", )" +
+        std::string(bending) + "}");
+  };
+  CHECK(!codes(R"("flexural_rigidity": 1e-5, "hysteresis": {"hb": 6e-4})").contains("units"));
+  CHECK(codes(R"("flexural_rigidity": 1e-5, "hysteresis": {"hb": 0.04})").contains("units"));
+  CHECK(codes(R"("rigidity": {"warp": 1e-12, "weft": 2e-12})").contains("units"));
+  CHECK(!codes(R"("rigidity": {"warp": 1e-7, "weft": 2e-7})").contains("units"));
+}
+
 TEST_CASE("warnings: a kinetic friction larger than the static friction", "[warnings]") {
   const auto codes = [](const char* coefficients) {
     return codes_of(R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"},

@@ -18,7 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import bendlab as bl
-from bendlab.settings import EFFECTS, METHODS, MODELS, PARTS, class_name
+from bendlab.settings import EFFECTS, INNER, METHODS, MODELS, PARTS, class_name
 
 PROGRAM = sys.argv.pop(1)
 ROOT = Path(__file__).resolve().parents[2]
@@ -65,15 +65,32 @@ class TheProgramsTables(unittest.TestCase):
 
     def test_parts(self):
         classes = {"mesh": bl.Mesh, "pins": bl.Pins, "material": bl.Material, "initial": bl.Initial}
-        self.assertEqual(set(PARTS), {*classes, "strain", "surface"})
-        for name, cls in classes.items():
-            rows = of_schema(f"/{name}")
-            own = {field["name"] for field in cls._tables[0].fields}
-            self.assertEqual(own, set(rows) - {"strain", "surface"})
+        seen = {"", "/bending", "/solver"}
+
+        def visit(cls, pointer):
+            seen.add(pointer)
+            rows, own = of_schema(pointer), {field["name"] for field in cls._tables[0].fields}
+            self.assertEqual(own, set(rows) - set(cls._inner))
             self.check(cls, rows, own)
-        rows = of_schema("/material/strain")
-        self.assertEqual({field["name"] for field in bl.Strain._tables[0].fields}, set(rows))
-        self.check(bl.Strain, rows, rows)
+            for name, inner in cls._inner.items():
+                visit(inner, f"{pointer}/{name}")
+
+        for name, cls in classes.items():
+            visit(cls, f"/{name}")
+        for name, cls in bl.Model._inner.items():
+            visit(cls, f"/bending/{name}")
+        self.assertEqual(seen, set(PARTS))
+
+    def test_parts_below_others(self):
+        woven = bl.MidEdge(rigidity=bl.Rigidity(warp=2e-5, weft=1e-5), map=bl.Map(file="stiff.ply"))
+        self.assertEqual(woven._config(), {"model": "mid_edge", "rigidity": {"warp": 2e-5, "weft": 1e-5},
+                                           "map": {"file": "stiff.ply"}})
+        self.assertEqual(eval(repr(woven), {"MidEdge": bl.MidEdge, **INNER}), woven)
+        self.assertNotEqual(woven, bl.MidEdge(rigidity=bl.Rigidity(warp=2e-5, weft=1e-5)))
+        cloth = bl.Material(strain=bl.Strain(membrane=bl.Membrane(warp=900, weft=500, shear=30)))
+        self.assertEqual(cloth._config(), {"strain": {"membrane": {"warp": 900, "weft": 500, "shear": 30}}})
+        with self.assertRaisesRegex(TypeError, r"Rigidity\(…\)"):
+            bl.MidEdge(rigidity=1e-5)
 
     def test_models(self):
         names = SCHEMA["properties"]["bending"]["properties"]["model"]["enum"]

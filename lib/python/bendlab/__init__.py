@@ -32,10 +32,10 @@ else:
     from bendlab._core import ConfigError, MeshError
     from bendlab.own import Elements, Measure, Rest, Setting
     from bendlab.runs import run
-    from bendlab.scene import Cloth, Initial, Material, Mesh, Pins, Scene, Strain, Surface, grid
-    from bendlab.settings import EFFECTS, METHODS, MODELS, Effect, Method, Model
+    from bendlab.scene import Cloth, Initial, Material, Mesh, Pins, Scene, grid
+    from bendlab.settings import EFFECTS, INNER, METHODS, MODELS, Effect, Method, Model
 
-    globals().update({**MODELS, **METHODS, **EFFECTS})
+    globals().update({**MODELS, **METHODS, **EFFECTS, **INNER})
     __all__ = ["Cloth", "ConfigError", "Effect", "Elements", "Initial", "Material", "Measure", "Mesh",
-               "MeshError", "Method", "Model", "Pins", "Rest", "Scene", "Setting", "Strain", "Surface",
-               "grid", "load", "run", *MODELS, *METHODS, *EFFECTS]
+               "MeshError", "Method", "Model", "Pins", "Rest", "Scene", "Setting", "grid", "load", "run",
+               *MODELS, *METHODS, *EFFECTS, *INNER]

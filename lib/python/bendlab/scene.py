@@ -7,36 +7,15 @@ import numpy as np
 
 from bendlab import _core
 from bendlab.settings import EFFECTS, METHODS, MODELS, PARTS, SCENE, Effect, Method, Model, Part, Settings, \
-    make_class
+    add_inner, instance_of, make_class
 
 
-def _instance(wanted, what):
-    """Returns a converter for values that are assigned to a part. The converter accepts objects of the class
-    `wanted`, and raises TypeError for all other values; `what` says what is expected."""
-    def convert(value):
-        if not isinstance(value, wanted):
-            raise TypeError(f"expected {what}, got {value!r}")
-        return value
-    return convert
-
-
-Surface = make_class("Surface", [PARTS["surface"]])
-
-
-def _given_with(settings, name):
-    """The settings that were given to a part, and those of its part `name` if there are any."""
-    inner = getattr(settings, name)._given
-    return {**settings._given, **({name: inner} if inner else {})}
-
-
-class Mesh(make_class("Mesh", [PARTS["mesh"]])):
+class Mesh(add_inner(make_class("Mesh", [PARTS["/mesh"]]), "/mesh")):
     __doc__ = ("The rest mesh: Mesh(vertices, triangles) from arrays, or a generator or a file by "
-               "keywords.\n\n" + make_class("Mesh", [PARTS["mesh"]]).__doc__)
-    surface = Part(_instance(Surface, "Surface(…)"), "The surface that the generated mesh becomes")
+               "keywords.\n\n" + make_class("Mesh", [PARTS["/mesh"]]).__doc__)
 
-    def __init__(self, vertices=None, triangles=None, *, surface=None, **settings):
+    def __init__(self, vertices=None, triangles=None, **settings):
         super().__init__(**settings)
-        self.surface = surface or Surface()
         if (vertices is None) != (triangles is None):
             raise TypeError("a mesh from arrays needs both arrays: Mesh(vertices, triangles)")
         self._arrays = () if vertices is None else _checked(vertices, triangles)
@@ -48,7 +27,7 @@ class Mesh(make_class("Mesh", [PARTS["mesh"]])):
 
     def _arguments(self):
         arrays = zip(("vertices", "triangles"), (array.tolist() for array in self._arrays))
-        return {**dict(arrays), **self._given, **({"surface": self.surface} if self.surface._given else {})}
+        return {**dict(arrays), **super()._arguments()}
 
 
 def _checked(vertices, triangles):
@@ -81,20 +60,10 @@ def _effects(value):
     return [_effect(effect) for effect in value]
 
 
-Pins = make_class("Pins", [PARTS["pins"]])
-Strain = make_class("Strain", [PARTS["strain"]])
-
-
-class Initial(make_class("Initial", [PARTS["initial"]])):
-    __doc__ = make_class("Initial", [PARTS["initial"]]).__doc__
-    surface = Part(_instance(Surface, "Surface(…)"), PARTS["surface"].meaning)
-
-    def __init__(self, surface=None, **settings):
-        super().__init__(**settings)
-        self.surface = surface or Surface()
-
-    def _arguments(self):
-        return {**self._given, **({"surface": self.surface} if self.surface._given else {})}
+Pins = make_class("Pins", [PARTS["/pins"]])
+Initial = add_inner(make_class("Initial", [PARTS["/initial"]]), "/initial")
+Material = add_inner(make_class("Material", [PARTS["/material"]]), "/material")
+add_inner(Model, "/bending")
 
 
 def _pins(value):
@@ -109,29 +78,17 @@ def _pins(value):
     return Pins(vertices=names, indices=[entry for entry in value if not isinstance(entry, str)])
 
 
-class Material(make_class("Material", [PARTS["material"]])):
-    __doc__ = make_class("Material", [PARTS["material"]]).__doc__
-    strain = Part(_instance(Strain, "Strain(…)"), PARTS["strain"].meaning)
-
-    def __init__(self, strain=None, **settings):
-        super().__init__(**settings)
-        self.strain = strain or Strain()
-
-    def _arguments(self):
-        return {**self._given, **({"strain": self.strain} if self.strain._given else {})}
-
-
 class Scene(make_class("Scene", [SCENE])):
     """All settings of a simulation. Every setting has a default: Scene() is a sheet of 1 m that hangs from a
     corner in air. `folder`: where relative paths of files start."""
 
-    mesh = Part(_instance(Mesh, "Mesh(…) or grid(…)"), PARTS["mesh"].meaning)
-    pins = Part(_pins, PARTS["pins"].meaning)
-    material = Part(_instance(Material, "Material(…)"), PARTS["material"].meaning)
-    bending = Part(_instance(Model, f"a bending model: {', '.join(MODELS)}"), "The bending model")
-    solver = Part(_instance(Method, f"a solver method: {', '.join(METHODS)}"), "The solver method")
+    mesh = Part(instance_of(Mesh, "Mesh(…) or grid(…)"), PARTS["/mesh"].meaning)
+    pins = Part(_pins, PARTS["/pins"].meaning)
+    material = Part(instance_of(Material, "Material(…)"), PARTS["/material"].meaning)
+    bending = Part(instance_of(Model, f"a bending model: {', '.join(MODELS)}"), "The bending model")
+    solver = Part(instance_of(Method, f"a solver method: {', '.join(METHODS)}"), "The solver method")
     effects = Part(_effects, "The effects that act on the cloth besides its constraints")
-    initial = Part(_instance(Initial, "Initial(…)"), PARTS["initial"].meaning)
+    initial = Part(instance_of(Initial, "Initial(…)"), PARTS["/initial"].meaning)
 
     _classes = {"mesh": Mesh, "pins": Pins, "material": Material, "bending": MODELS["DiscreteShells"],
                 "solver": METHODS["QuasiNewton"], "initial": Initial,
@@ -154,10 +111,7 @@ class Scene(make_class("Scene", [SCENE])):
         return self._config()
 
     def _config(self):
-        parts = {"mesh": _given_with(self.mesh, "surface"), "pins": self.pins._given,
-                 "material": _given_with(self.material, "strain"),
-                 "bending": self.bending._config(), "solver": self.solver._config(),
-                 "initial": _given_with(self.initial, "surface")}
+        parts = {name: getattr(self, name)._config() for name in self._classes if name != "effects"}
         config = {**self._given, **{name: part for name, part in parts.items() if part}}
         if self.effects != self._classes["effects"]():
             config["effects"] = [effect._config() for effect in self.effects]
@@ -173,7 +127,7 @@ class Scene(make_class("Scene", [SCENE])):
         return {**self._given, **changed, **({"folder": self._folder} if self._folder else {})}
 
 
-_effect = _instance(Effect, f"an effect: {', '.join(EFFECTS)}")
+_effect = instance_of(Effect, f"an effect: {', '.join(EFFECTS)}")
 
 
 class Cloth(_core.Cloth):

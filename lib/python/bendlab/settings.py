@@ -14,10 +14,8 @@ def class_name(name):
 
 def plain(value):
     """Converts settings, and numbers and arrays of NumPy, for json.dumps()."""
-    if isinstance(value, (Model, Method, Effect)):
-        return value._config()
     if isinstance(value, Settings):
-        return value._given
+        return value._config()
     if isinstance(value, (range, set)):
         return list(value)
     if hasattr(value, "tolist"):
@@ -36,9 +34,12 @@ class Settings:
     ConfigError with the setting's pointer and the allowed values."""
 
     _tables = ()  # the class's own settings, then those that its whole family has
+    _inner = {}  # {name: class} of members that have settings of their own
 
     def __init__(self, **values):
         object.__setattr__(self, "_given", {})
+        for name, cls in self._inner.items():
+            setattr(self, name, values.pop(name, None) or cls())
         for name, value in values.items():
             setattr(self, name, value)
 
@@ -66,8 +67,17 @@ class Settings:
         """The settings of `table` that were given, for JSON."""
         return {table.key(name): value for name, value in self._given.items() if name in table.defaults}
 
+    def _inner_config(self):
+        """The members that have settings of their own, for JSON, without those that have only defaults."""
+        configs = {name: getattr(self, name)._config() for name in self._inner}
+        return {name: config for name, config in configs.items() if config}
+
+    def _config(self):
+        """The settings that were given, for JSON."""
+        return {**self._given, **self._inner_config()}
+
     def _arguments(self):
-        return dict(self._given)
+        return {**self._given, **{name: getattr(self, name) for name in self._inner_config()}}
 
     def __eq__(self, other):
         if type(self) is not type(other):
@@ -164,9 +174,36 @@ def make_class(name, tables, base=Settings):
                                 "_name": tables[0].name, **members})
 
 
-PARTS = {table.name: _Table(table) for table in _core.parts()}
-BENDING, SOLVER = PARTS.pop("bending"), PARTS.pop("solver")
-SCENE = PARTS.pop("")
+def instance_of(wanted, what):
+    """Returns a converter for values that are assigned to a part. The converter accepts objects of the class
+    `wanted`, and raises TypeError for all other values; `what` says what is expected."""
+    def convert(value):
+        if not isinstance(value, wanted):
+            raise TypeError(f"expected {what}, got {value!r}")
+        return value
+    return convert
+
+
+PARTS = {table.pointer: _Table(table) for table in _core.parts()}
+SCENE, BENDING, SOLVER = (PARTS[pointer] for pointer in ("", "/bending", "/solver"))
+INNER = {}  # the classes of parts below other parts, by name; parts with the same settings share a class
+
+
+def add_inner(cls, pointer):
+    """Gives the class of the part at `pointer` a member for each part below it. Returns the class."""
+    cls._inner = {}
+    for below, table in PARTS.items():
+        parent, _, last = below.rpartition("/")
+        if parent != pointer or not below:
+            continue
+        name = "Map" if last.endswith("_map") else class_name(last)
+        if name not in INNER:
+            INNER[name] = add_inner(make_class(name, [table]), below)
+        cls._inner[last] = INNER[name]
+        part = Part(instance_of(INNER[name], f"{name}(…)"), table.meaning)
+        part.__set_name__(cls, last)
+        setattr(cls, last, part)
+    return cls
 
 
 _CURRENT = {}  # (family, name) → the class of that name
@@ -248,7 +285,8 @@ class Model(Settings):
     def _config(self):
         _require_current(self)
         own = self._stated(self._tables[0])
-        return {"model": self._name, **self._stated(self._tables[1]), **({self._name: own} if own else {})}
+        return {"model": self._name, **self._stated(self._tables[1]), **self._inner_config(),
+                **({self._name: own} if own else {})}
 
 
 class Method(Settings):

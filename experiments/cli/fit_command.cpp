@@ -1,0 +1,87 @@
+// `bendlab fit`: finds settings of a config from measured shapes.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <stdexcept>
+
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/json_text.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/fit/fit.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/terminal/printable.hpp"
+#include "experiments/terminal/table.hpp"
+
+namespace bendlab {
+namespace {
+
+FitProblem problem_of(const FitArguments& arguments) {
+  const Experiment experiment = load_experiment(arguments.config, arguments.overrides);
+  FitProblem problem{.runs = experiment.runs,
+                     .shapes = {},
+                     .pointers = arguments.settings,
+                     .uncertainty = arguments.uncertainty};
+  if (problem.runs.size() != arguments.measured.size())
+    throw UsageError(fmt::format(
+        "the config has {} runs, but {} files are measured: give --measured once for each specimen, in "
+        "the order of the sweep",
+        problem.runs.size(), arguments.measured.size()));
+  for (std::size_t r = 0; r < problem.runs.size(); ++r) {
+    const RestMesh rest(rest_mesh_of(problem.runs[r].scene().mesh, problem.runs[r].folder()).mesh);
+    try {
+      problem.shapes.push_back(read_shape(arguments.measured[r], rest.centre().y()));
+    } catch (const std::exception& error) {
+      throw UsageError(fmt::format("{}: {}", arguments.measured[r], error.what()));
+    }
+  }
+  return problem;
+}
+
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:.2g} %", 100 * share) : "not known";
+}
+
+}  // namespace
+
+int fit_command(const FitArguments& arguments, bool json) {
+  const FitProblem problem = problem_of(arguments);
+  Fitted fitted;
+  try {
+    fitted = fit(problem);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(error.what());
+  }
+  Json entry = {{"rms", fitted.rms},
+                {"evaluations", fitted.evaluations},
+                {"known", fitted.is_known()},
+                {"correlation", fitted.correlation},
+                {"settings", Json::object()}};
+  Table table({"setting", "value", "standard uncertainty"});
+  for (const FittedSetting& setting : fitted.settings) {
+    entry["settings"][setting.pointer] = {
+        {"value", setting.value},
+        {"relative_uncertainty",
+         std::isfinite(setting.uncertainty) ? Json(setting.uncertainty) : Json(nullptr)}};
+    table.add_row({setting.pointer, fmt::format("{:.5g}", setting.value), percent(setting.uncertainty)});
+  }
+  if (json)
+    print_text("{}\n", json_text(entry));
+  else
+    print_text(
+        "{}\nThe measured points are {:.3g} mm from the cloth (root mean square), after {} simulations of "
+        "all "
+        "specimens.\n",
+        table.text(), 1e3 * fitted.rms, fitted.evaluations);
+  if (fitted.is_known()) return exit_ok;
+  std::vector<std::string> unknown;
+  for (const FittedSetting& setting : fitted.settings)
+    if (!(setting.uncertainty <= Fitted::known)) unknown.push_back(setting.pointer);
+  print_text(stderr,
+             "bendlab: the measured points do not determine {}: the uncertainty is above {:.0f} %. Measure a "
+             "specimen whose shape depends on it, or fit fewer settings\n",
+             fmt::join(unknown, ", "), 100 * Fitted::known);
+  return exit_failed;
+}
+
+}  // namespace bendlab

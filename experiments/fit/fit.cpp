@@ -1,0 +1,282 @@
+#include "experiments/fit/fit.hpp"
+
+#include <fmt/format.h>
+#include <nlopt.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "bendlab/mesh/mesh_surface.hpp"
+#include "bendlab/scene/pointers.hpp"
+#include "bendlab/scene/scene_json.hpp"
+#include "bendlab/scene/simulate.hpp"
+#include "bendlab/scene/start_after.hpp"
+#include "bendlab/settings/input_file.hpp"
+
+namespace bendlab {
+namespace {
+
+using Eigen::VectorXd;
+
+// From the nearest place of the cloth to a point, m, and the normal of the triangle there.
+struct Gap {
+  Vector3 away = Vector3::Zero(), normal = Vector3::UnitZ();
+
+  // The direction in which a small move of the cloth changes the distance. Inside the cloth it is the normal,
+  // also if the distance is 0; beyond a border it is that of the gap.
+  Vector3 direction() const {
+    constexpr double beside = 0.5;
+    return std::abs(away.dot(normal)) >= beside * away.norm() ? normal : away.normalized();
+  }
+};
+
+Gap gap_to(const Vector3& point, const Positions& positions, const Triangles& triangles) {
+  double least = std::numeric_limits<double>::infinity();
+  Gap nearest;
+  for (const auto corner : triangles.rowwise()) {
+    const Vector3 a = positions.row(corner(0)).transpose(), b = positions.row(corner(1)).transpose(),
+                  c = positions.row(corner(2)).transpose();
+    const Vector3 weight = nearest_weights(point, a, b, c);
+    const Vector3 away = point - (weight(0) * a + weight(1) * b + weight(2) * c);
+    if (const double squared = away.squaredNorm(); squared < least) {
+      least = squared;
+      nearest = {away, (b - a).cross(c - a).stableNormalized()};
+    }
+  }
+  return nearest;
+}
+
+// Simulates all specimens with given logarithms of the settings.
+class Specimens {
+ public:
+  explicit Specimens(const FitProblem& problem) : problem_(problem), poses_(problem.runs.size()) {}
+
+  // The gaps between the cloth and all measured points.
+  std::vector<Gap> gaps(const VectorXd& logarithms) {
+    std::vector<Gap> all;
+    moving_.reset(), longest_edge_ = 0, largest_size_ = 0;
+    for (std::size_t r = 0; r < problem_.runs.size(); ++r) {
+      Cloth cloth(built(r, logarithms));
+      cloth.run(problem_.runs[r].scene().duration);
+      poses_[r] = cloth.positions();
+      const double speed = cloth.velocities().rowwise().norm().maxCoeff();  // m/s
+      const bool rests = cloth.scene().input.method.kind().has_motion
+                             ? speed <= at_rest * cloth.scene().rest.size()
+                             : cloth.simulation().settled();
+      if (!rests) moving_ = r;
+      longest_edge_ = std::max(longest_edge_, cloth.scene().rest.mean_edge_length());
+      largest_size_ = std::max(largest_size_, cloth.scene().rest.size());
+      for (const auto& point : problem_.shapes[r].points.rowwise())
+        all.push_back(gap_to(point.transpose(), poses_[r], cloth.triangles()));
+    }
+    return all;
+  }
+
+  // A specimen that was not at rest at the end of its run, if there was one at the last call of gaps().
+  std::optional<std::size_t> moving() const { return moving_; }
+  double longest_edge() const { return longest_edge_; }  ///< the longest mean edge of a specimen's mesh, m
+  double largest_size() const { return largest_size_; }  ///< of a specimen, m
+
+ private:
+  // An equilibrium starts from the last pose of the specimen, which is near the new pose. A method with
+  // motion starts from the start of the scene.
+  BuiltScene built(std::size_t r, const VectorXd& logarithms) const {
+    const RunConfig& run = problem_.runs[r];
+    Json settings = to_json(run.scene());
+    for (std::size_t i = 0; i < problem_.pointers.size(); ++i)
+      if (!set_at(settings, problem_.pointers[i], std::exp(logarithms(static_cast<Eigen::Index>(i)))))
+        throw ConfigError("fit", {{problem_.pointers[i], "the config has no setting at this pointer"}});
+    ConfigProblems problems;
+    Scene scene = read_scene(settings, {}, problems);
+    if (!problems.empty()) throw ConfigError("the fitted config", std::move(problems));
+    scene.folder = run.folder();
+    BuiltScene built = build_scene(scene);
+    if (poses_[r].rows() == built.input.positions.rows() && built.input.method.kind().has_motion == false) {
+      built.input.positions = poses_[r];
+      built.input.starting_from = StartingFrom::same_mesh;
+    } else {
+      start_after(scene, built);
+    }
+    return built;
+  }
+
+  static constexpr double at_rest = 1e-3;  // sizes per second
+
+  const FitProblem& problem_;
+  std::vector<Positions> poses_;
+  std::optional<std::size_t> moving_;
+  double longest_edge_ = 0, largest_size_ = 0;
+};
+
+struct Objective {
+  Specimens& specimens;
+  nlopt_opt optimiser;
+  int evaluations = 0;
+  std::exception_ptr error;
+
+  static double evaluate(unsigned n, const double* x, double*, void* data) {
+    auto& self = *static_cast<Objective*>(data);
+    try {
+      double sum = 0;
+      const auto gaps = self.specimens.gaps(Eigen::Map<const VectorXd>(x, static_cast<Eigen::Index>(n)));
+      for (const Gap& gap : gaps) sum += gap.away.squaredNorm();
+      ++self.evaluations;
+      return sum / static_cast<double>(gaps.size());
+    } catch (...) {
+      self.error = std::current_exception();
+      nlopt_force_stop(self.optimiser);
+      return HUGE_VAL;
+    }
+  }
+};
+
+VectorXd start_of(const FitProblem& problem) {
+  VectorXd start(static_cast<Eigen::Index>(problem.pointers.size()));
+  const Json settings = to_json(problem.runs.front().scene());
+  for (std::size_t i = 0; i < problem.pointers.size(); ++i) {
+    if (!problem.pointers[i].starts_with('/'))
+      throw ConfigError(
+          "fit", {{problem.pointers[i], "a pointer begins with a slash: write /" + problem.pointers[i]}});
+    const Json* const value = value_at(settings, problem.pointers[i]);
+    if (value == nullptr || !value->is_number() || !(value->get<double>() > 0))
+      throw ConfigError("fit",
+                        {{problem.pointers[i],
+                          "is not a number above 0 in the config: state a first guess there, or correct "
+                          "the name of the setting"}});
+    start(static_cast<Eigen::Index>(i)) = std::log(value->get<double>());
+  }
+  return start;
+}
+
+}  // namespace
+
+bool Fitted::is_known() const {
+  return std::ranges::all_of(settings, [](const FittedSetting& s) { return s.uncertainty <= known; });
+}
+
+Fitted fit(const FitProblem& problem) {
+  Eigen::Index points = 0;
+  for (const MeasuredShape& shape : problem.shapes) points += shape.points.rows();
+  const auto count = static_cast<Eigen::Index>(problem.pointers.size());
+  if (points <= count)
+    throw std::invalid_argument(
+        fmt::format("{} measured points cannot determine {} settings: measure more points", points, count));
+  constexpr double farthest = 4.6;                      // a factor of 100 to both sides of the first guess
+  constexpr double first_step = 0.2, precision = 1e-5;  // of a logarithm
+  const VectorXd start = start_of(problem);
+  VectorXd best = start;
+  Specimens specimens(problem);
+  nlopt_opt optimiser = nlopt_create(NLOPT_LN_BOBYQA, static_cast<unsigned>(count));
+  Objective objective{specimens, optimiser, 0, nullptr};
+  const VectorXd low = best.array() - farthest, high = best.array() + farthest;
+  nlopt_set_min_objective(optimiser, Objective::evaluate, &objective);
+  nlopt_set_lower_bounds(optimiser, low.data()), nlopt_set_upper_bounds(optimiser, high.data());
+  nlopt_set_initial_step1(optimiser, first_step), nlopt_set_xtol_abs1(optimiser, precision);
+  nlopt_set_maxeval(optimiser, problem.most_evaluations);
+  double least = 0;
+  const nlopt_result result = nlopt_optimize(optimiser, best.data(), &least);
+  nlopt_destroy(optimiser);
+  if (objective.error) std::rethrow_exception(objective.error);
+  if (result < 0 && result != NLOPT_ROUNDOFF_LIMITED)
+    throw std::runtime_error(fmt::format("the search failed: nlopt returned {}", static_cast<int>(result)));
+  if (result == NLOPT_MAXEVAL_REACHED)
+    throw std::invalid_argument(
+        fmt::format("the search did not end within {} simulations of all specimens: state a nearer first "
+                    "guess, or fit fewer settings",
+                    problem.most_evaluations));
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (std::abs(best(i) - start(i)) > farthest - 1e-3)
+      throw std::invalid_argument(fmt::format(
+          "the search ended at {:.2g}, which is {} the first guess of {}, and the cloth is still "
+          "{:.2g} m from the points (root mean square): state a nearer first guess. Points are in "
+          "m, in the coordinates of the mesh",
+          std::exp(best(i)), best(i) > start(i) ? "100 times" : "a hundredth of",
+          problem.pointers[static_cast<std::size_t>(i)], std::sqrt(least)));
+  const std::vector<Gap> at_best = specimens.gaps(best);
+  if (const auto moving = specimens.moving())
+    throw std::invalid_argument(
+        fmt::format("specimen {} still moves at the end of its run, but measured points are those of a cloth "
+                    "at rest: set /solver/method to equilibrium, or raise /duration",
+                    *moving + 1));
+
+  const double of_mesh = FitProblem::of_an_edge * specimens.longest_edge(),
+               most = problem.uncertainty
+                          ? FitProblem::most_uncertainties * std::max(*problem.uncertainty, of_mesh)
+                          : FitProblem::of_the_size * specimens.largest_size();
+  if (std::sqrt(least) > most)
+    throw std::invalid_argument(fmt::format(
+        "the nearest cloth is {:.3g} m from the points (root mean square), but at most {:.2g} m are "
+        "expected: this cloth does not have the shape of the points. Points are in m, in the "
+        "coordinates of the mesh; the middle of a grid is the origin. If the points are right, "
+        "state a larger --uncertainty",
+        std::sqrt(least), most));
+
+  // Derivatives of the distances by the logarithms, by central differences.
+  constexpr double step = 0.01;
+  Eigen::MatrixXd slopes(points, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    VectorXd ahead = best, behind = best;
+    ahead(i) += step, behind(i) -= step;
+    const std::vector<Gap> far = specimens.gaps(ahead), near = specimens.gaps(behind);
+    for (std::size_t p = 0; p < at_best.size(); ++p)
+      slopes(static_cast<Eigen::Index>(p), i) =
+          at_best[p].direction().dot(far[p].away - near[p].away) / (2 * step);
+  }
+  const double rms = std::sqrt(least),
+               scatter = rms * std::sqrt(static_cast<double>(points) / static_cast<double>(points - count)),
+               sigma = std::max({problem.uncertainty.value_or(0), scatter, of_mesh});
+  Fitted fitted{.settings = {}, .rms = rms, .evaluations = objective.evaluations};
+  // A singular value that is no larger than the error of the simulations belongs to a combination of settings
+  // that the points do not determine.
+  constexpr double rounding = 1e-4;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double value = svd.singularValues()(k);
+    const VectorXd along = svd.matrixV().col(k);
+    const double variance = value > rounding * svd.singularValues()(0) && value > 0
+                                ? sigma * sigma / (value * value)
+                                : std::numeric_limits<double>::max();
+    covariance += variance * along * along.transpose();
+  }
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double variance = covariance(i, i);
+    fitted.settings.push_back(
+        {problem.pointers[static_cast<std::size_t>(i)], std::exp(best(i)),
+         variance < 1e12 ? std::sqrt(variance) : std::numeric_limits<double>::infinity()});
+    for (Eigen::Index j = 0; j < i; ++j)
+      if (const double c = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+          std::abs(c) > std::abs(fitted.correlation))
+        fitted.correlation = c;
+  }
+  return fitted;
+}
+
+MeasuredShape read_shape(const std::filesystem::path& file, double middle) {
+  std::vector<double> numbers;
+  std::istringstream lines(read_input_file(file));
+  std::size_t columns = 0;
+  int line_number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++line_number;
+    std::ranges::replace(line, ',', ' '), std::ranges::replace(line, ';', ' ');
+    std::istringstream words(line);
+    std::vector<double> row;
+    for (double value; words >> value;) row.push_back(value);
+    if (row.empty() && numbers.empty()) continue;  // titles of the columns
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    if (columns == 0) columns = row.size();
+    if (row.size() != columns || columns < 2 || columns > 3 || !words.eof())
+      throw std::invalid_argument(fmt::format(
+          "line {}: expected two numbers, x and z, or three, x, y and z, in every line", line_number));
+    numbers.insert(numbers.end(), {row[0], columns == 3 ? row[1] : middle, row.back()});
+  }
+  if (numbers.empty()) throw std::invalid_argument("no points: expected lines of two or three numbers in m");
+  return {as_rows(numbers)};
+}
+
+}  // namespace bendlab
