@@ -3,8 +3,8 @@ import json
 import re
 import sys
 
-from figures.performance import (effects, history, kinds, limits, methods, order, overview, set_up, sizes,
-                                 threads)
+from figures.performance import (effects, history, kinds, laws, limits, methods, order, overview, set_up,
+                                 sizes, threads)
 from figures.performance.rows import PRECISION, iterations, per_vertex, shown, table
 from pages.project import Content, Figure, Page
 from tables.numbers import number, rounded
@@ -36,6 +36,10 @@ FIGURES = [
            "A scene lists its effects; an effect that is not listed costs nothing. Each effect is timed in a "
            "scene in which the effect acts: the cloth touches the obstacles, and for collisions with itself "
            "the cloth lies in five layers."),
+    Figure(laws, "What do the bending laws of fabrics cost?", "Laws",
+           "A simple sheet has the moment B κ with one B. In a fabric, B may depend on the direction or on "
+           "time, the moment may soften, the yarns may rub, and folds may stay. The same cloth is simulated "
+           "with each law."),
     Figure(set_up, "What does setting up cost?", "Set-up",
            "Before the first step, the program finds the springs (which vertices lie in which ring) and "
            "sorts them by colour: springs of one colour share no vertex, so that they can be projected at "

@@ -3,7 +3,7 @@ import string
 from collections import Counter
 
 from bendlab.results.load import group
-from figures.stability import cells, methods, pin
+from figures.stability import cells, fabrics, methods, pin
 from pages.project import Content, Figure, Page, summary
 from runs.stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
                                   SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, worst_of)
@@ -17,13 +17,15 @@ UNKNOWN = "not known"
 PLAIN = "meshes: grid"  # the case with which all flaws and meshes are compared
 LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
          "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
-METHODS = "methods.json"
-FILES = {"cells": "summary.json", "methods": METHODS}  # id of a section → file of its runs
+METHODS, FABRICS = "methods.json", "fabrics.json"
+# Id of a section → file of its runs
+FILES = {"cells": "summary.json", "methods": METHODS, "fabrics": FABRICS}
 PICTURE = ("The last good frame of the worst run of each case, for each criterion that makes the case red. A "
            "case without red runs has the last frame of its worst amber run. Colour is stretch. Each picture "
            "shows the whole cloth, and the text below states the cloth's extent (one size at rest).")
 FIGURES = [Figure(cells, "Cases whose verdict depends on the model", "Cases"),
            Figure(methods, "Hard cases with other solver methods", "Methods"),
+           Figure(fabrics, "Hard cases with the bending laws of fabrics", "Fabrics"),
            Figure(pin, "Is the degenerate triangle the cause?", "One pin",
                   "A sheet of 64 × 64 cells hangs from one vertex with the published settings: ten "
                   "iterations, k = 0.5, one step of 1/60 s. Three numbers are measured in each frame, "
@@ -42,21 +44,23 @@ def write_data(sections, results, out):
 
 
 def content(sections, out):
-    runs, by_method = summary(out), read_objects(out / METHODS)
+    runs, by_method, by_law = summary(out), *(read_objects(out / file) for file in (METHODS, FABRICS))
     matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
     note = plain_grid(runs)
     lead = ("<p>Each row is a case; the cases whose verdicts differ most among models come first. The left "
             "half of a cell is for single precision, the right half for double precision. A click on a cell "
             f"opens its run: the worst number and its limit, the reason, config and command. {note}</p>")
-    verdicts = {"cells": [lead, matrix, alike], "methods": stability_matrix.methods_html(by_method)}
-    also = f", <a href='{METHODS}'>{METHODS}</a>: the runs with other methods" if by_method else ""
+    verdicts = {"cells": [lead, matrix, alike], "methods": stability_matrix.methods_html(by_method),
+                "fabrics": stability_matrix.fabrics_html(by_law)}
+    also = "".join(f", <a href='{file}'>{file}</a>: the runs with {what}" for file, what, listed in (
+        (METHODS, "other methods", by_method), (FABRICS, "the bending laws of fabrics", by_law)) if listed)
     parts = [*filter(None, (section_of(title, cases, runs, out) for title, cases in SECTIONS.items())),
              Part("rules", "The rules", rules(), "Rules"),
-             Part("data", "As data", f"<p><a href='summary.json'>summary.json</a>: every run{also}.</p>",
-                  "Data")]
+             Part("data", "As data",
+                  f"<p><a href='summary.json'>summary.json</a>: the runs with all models{also}.</p>", "Data")]
     top = stability_matrix.groups_html(runs) if runs else ""
     return Content(answer(runs), top + (f"<p class='note'>{note}</p>" if note else ""), parts,
-                   data=stability_matrix.data([*runs, *by_method]),
+                   data=stability_matrix.data([*runs, *by_method, *by_law]),
                    verdicts=lambda section: verdicts.get(section.id, []))
 
 

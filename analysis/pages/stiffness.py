@@ -1,6 +1,6 @@
 """The page of stiffness: how stiff every model is, against theory and textile tests."""
-from figures.stiffness import (buckling, calibrated, convergence, effective, hinges, resolution, springs,
-                               textile)
+from figures.stiffness import (buckling, calibrated, convergence, effective, fabrics, hinges, napkin,
+                               resolution, springs, textile)
 from pages.project import Content, Figure, Page
 from tables.numbers import number_text
 from tables.section import write_objects
@@ -66,8 +66,8 @@ FIGURES = [
            "specimen lies on a round table; the drape coefficient is the share of the overhanging ring that "
            "its shadow covers. Nothing is tuned: bending rigidity and weight of four fabrics are the "
            "published numbers, and the drape coefficient is a result. Real fabrics have friction between "
-           "their yarns (2HB in the same tables); this model has no friction. So each fabric is shown as a "
-           "line between two bending lengths: without friction, and with half of 2HB at 0.5/cm added. We do "
+           "their yarns (2HB in the same tables); these simulations have no friction. So each fabric is a "
+           "line between two bending lengths: with B, and with B + HB/(0.5/cm). We do "
            "not know the size of the specimen and the table, so two sizes are simulated. A sheet without "
            "bending that hangs between two lines has the shape of a catenary. ASTM D1388 and the catenary "
            "are verification: theory gives the answer, and the check shows whether the program solves its "
@@ -75,13 +75,35 @@ FIGURES = [
            "describe cloth. The error E = S − D (simulation minus measurement) is compared with its standard "
            "uncertainty u_val = √(u_num² + u_input² + u_D²). u_num comes from the scatter over seeds and "
            f"from the difference between meshes of {textile.COARSE} and {textile.FINE} cells along the "
-           "radius. u_input comes from friction (B may be anywhere between both bending lengths), from "
+           "radius. u_input comes from friction (B may have any value between those of both lengths), from "
            f"directions in which B was not measured ({100 * textile.DIRECTIONS:.0f} % of B), and from "
            f"errors of measurement of B ({100 * textile.RIGIDITY:.0f} %, our assumption) and of the weight "
            f"({100 * textile.WEIGHT:.0f} %, our assumption). u_D is {100 * textile.DRAPE:.0f} % of D, our "
            "assumption. A drape coefficient is validated if |E| ≤ u_val; otherwise the error of the model is "
            "at least |E| − u_val. There is no factor of coverage: a perfect model would fail in one row of "
            "three. Fabrics shear, but this model does not shear; u_val does not cover this difference."),
+    Figure(fabrics, "Fabrics: direction, softening, friction, folds, maps", "Fabrics",
+           "A woven sheet has different rigidities along the warp and along the weft. A narrow strip that "
+           "is cut at the angle φ to the warp may also curve across and twist: its rigidity is 1/S11(φ), "
+           "S being the inverse of the matrix D of an orthotropic plate. D(φ) is the rigidity of a wide "
+           "sheet that bends to a cylinder. The program fits hinges and springs to D(φ). Near the sides of a "
+           "strip, hinges and springs are missing, so a narrow strip does not have 1/S11(φ). Other strips "
+           "have a moment that softens, internal friction (the moment is B κ ± HB), folds that "
+           "stay (beyond the curvature κy the slope of the moment is h B), or three times the rigidity "
+           "in one half. Each strip is compared with the formula of its own law. A single rigidity does "
+           "not give the measured drape coefficients of all fabrics. Two possible causes are internal "
+           "friction and the direction. The last table has the drape with friction, and by direction, "
+           "validated as in the section before. A simulation with friction has no part of friction in "
+           "u_input, and a simulation by direction has no part of the direction. u_num comes from the "
+           f"scatter over seeds and from meshes of {textile.COARSE} and {textile.USUAL} cells."),
+    Figure(napkin, "A disc that hangs over a round table", "Napkin",
+           "A disc lies on a round table, where it is clamped, and hangs over the table's edge. Under a "
+           "small gravity the overhang sags equally all around. The sag pulls the rim of the disc inwards, "
+           "to a smaller circle. The rim is too long for this circle, so above a critical gravity it forms "
+           "waves. The critical gravity and the "
+           "number of waves follow from the second variation of the energy of a plate "
+           "(analysis/truths/napkin.py). In the simulation, the squared amplitude of the waves is "
+           "extrapolated to 0."),
 ]
 
 

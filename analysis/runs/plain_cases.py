@@ -9,12 +9,13 @@ import numpy as np
 from bendlab.results import registry
 from bendlab.results.load import method_name
 from runs import repeat
+from runs.fabric_laws import law_of
 from runs.stability_cases import Criterion
 from runs.stretch import areas, principal_stretches
 from runs.sweeps import read_config
 
 FOLDER = "plain"  # below configs/
-CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
+CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods", "fabrics")
 TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 
 SOUND, WARNED, SILENT, ALARM = "sound", "warned", "silent", "false alarm"
@@ -55,7 +56,8 @@ def _bending(config):
     springs times s⁻² and of hinges times s⁻⁴ (configs/plain)."""
     bending, scale = config["bending"], config["mesh"]["scale"]
     if bending["stiffness"] == "physical":
-        return f"physical {bending['flexural_rigidity'] / scale ** 4:g}"
+        rigidity = bending.get("flexural_rigidity")
+        return f"physical {rigidity / scale ** 4:g}" if rigidity else "physical, by direction"
     if bending["stiffness"] == "compliance":
         springs = bending["compliance"] * scale ** 2
         return f"compliance {springs if springs < 1 else bending['compliance'] * scale ** 4:g}"
@@ -79,6 +81,7 @@ AXES = {
     "rings pinned": lambda config: int(config["pins"]["ring"]),
     "model": lambda config: config["bending"]["model"],
     "bending": _bending,
+    "bending law": law_of,
     "strain form": lambda config: config["material"]["strain"]["form"],
     "strain stiffness": lambda config: config["material"]["strain"]["stiffness"],
     "start": _start,

@@ -9,6 +9,7 @@ from tables.numbers import known_values
 GREEN, AMBER, RED = "green", "amber", "red"
 FOLDER = "stability"  # below configs/
 METHODS = "methods"  # below configs/: a part of the cases, with other solver methods
+FABRICS = "fabrics"  # below configs/: a part of the cases, with the bending laws of fabrics
 BY_NEWTON = "_newton_slow"  # end of the names of configs in that folder whose runs take long
 
 # Lengths are in sizes (diagonals of the rest box). Reach: largest distance of a vertex from the centre.
@@ -243,3 +244,6 @@ REPEATED = ("start", "pins", "gust", "mass_hanging", "time_step", "iterations", 
 METHOD_CASES = [replace(case, config=case.config + end, where={"/initial": {"creases": 15}}
                         if case.name == "start: creased" else case.where)
                 for case in CASES if case.config in REPEATED for end in ("", BY_NEWTON)]
+# Those cases with the bending laws of fabrics.
+WITH_FABRICS = ("start", "pins", "gust", "time_step", "falling")
+FABRIC_CASES = [case for case in METHOD_CASES if case.config in WITH_FABRICS]

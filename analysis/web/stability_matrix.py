@@ -1,10 +1,11 @@
 """The tables of the hard cases as HTML, and the data of each run for the page's scripts. The functions take
-runs as objects of summary.json, or of methods.json (runs with other solver methods)."""
+runs as objects of summary.json, of methods.json (runs with other solver methods), or of fabrics.json (runs
+with the bending laws of fabrics)."""
 import math
 from collections import Counter
 
 from bendlab.results.load import group
-from figures.stability.cells import id_of
+from figures.stability.cells import id_of, kind_of
 from runs import repeat
 from runs.collected import differing, stated
 from runs.stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, worst_of
@@ -20,14 +21,24 @@ GROUP = {case.name: title for title, cases in SECTIONS.items() for case in cases
 NUMBERS = {"recovered_s": ("recovered at", "s", "when the cloth was last away from its rest shape"),
            "energy_rises": ("steps in which energy rose", "1", "share of all steps"),
            "seconds": ("processor time", "s", "of the whole run")}
-CELLS = ("A cell shows the verdict of its worst model, and how many of the models have this verdict. A click "
+CELLS = ("A cell shows the worst verdict of its runs, and how many of its runs have this verdict. A click "
          "on a cell opens the runs with this verdict, the worst run first.")
-SCENES = ("The same cases on a coarser sheet of 16 cells. The membrane has a compliance, and bending has a "
-          "physical stiffness, because implicit methods need energies. pbd has its default substeps; in the "
-          "case of one iteration it has one substep. The other methods have one substep, and at most 10 "
-          "iterations (quasi_newton) or 20 iterations (newton). newton runs with one model only, because it "
-          "takes long. Energy is computed from the stated compliance. So cloth that stays stretched, because "
-          "pbd has too few substeps, has gained energy.")
+SCENES = (
+    "The same cases on a coarser sheet of 16 × 16 cells. The membrane has a compliance, and bending "
+    "has a physical stiffness, because implicit methods need energies. pbd has its default substeps; "
+    "in the case of one iteration it has one substep. The other methods have one substep, and at "
+    "most 10 iterations (quasi_newton) or 20 iterations (newton). newton runs with one model only, "
+    "because it takes long. Energy is computed from the stated compliance. With too few substeps of "
+    "pbd the cloth stays stretched, which counts as gained energy.")
+FABRIC_SCENES = (
+    "The same sheets as with other solver methods, with the models discrete_shells and mid_edge. pbd has its "
+    "default substeps and no coarse levels; quasi_newton has one substep and at most 10 iterations. one "
+    "rigidity: B is 10 µN m at 0.2 kg/m². The other laws change this law. direction: B is 30 µN m "
+    "along the warp and 6 µN m along the weft. softening: the moment is half of B κ at a curvature of 50 /m. "
+    "friction: HB is 0.5 mN, so that HB/B is 50 /m. folds that stay: beyond a curvature of 20 /m the slope "
+    "of the moment is B/5. over time: a factor on B grows from 1 to 100 in the first second, and falls to "
+    "0.01 in the next second. map: B is 100 times as large in one half. The energy is checked only for laws "
+    "whose energy follows from the pose. The last law combines four of these laws.")
 
 
 def shared(runs):
@@ -141,46 +152,55 @@ def _button(run):
                    aria_label=f"{run['model']}, {run['precision']}: {verdict}")
 
 
-# --- cases × solver methods --------------------------------------------------------------------------------
+# --- cases × solver methods, or bending laws ---------------------------------------------------------------
 
 def methods_html(runs):
     """The HTML of the section on methods: the answer, the matrix, and which runs these are."""
+    return _columns_html(runs, "method", "model", SCENES)
+
+
+def fabrics_html(runs):
+    """The HTML of the section on bending laws, as methods_html()."""
+    return _columns_html(runs, "law", "combination of model and method", FABRIC_SCENES)
+
+
+def _columns_html(runs, column, others, scenes):
     if not runs:
         return []
-    table, alike = methods_table(runs)
-    return [f"<p><b>{methods_answer(runs)}</b> {CELLS}</p>", table, alike,
-            folded("Which runs these are", f"<p>{SCENES}</p>")]
+    table, alike = columns_table(runs, column)
+    return [f"<p><b>{columns_answer(runs, column, others)}</b> {CELLS}</p>", table, alike,
+            folded("Which runs these are", f"<p>{scenes}</p>")]
 
 
-def methods_answer(runs):
-    """A sentence: in how many cases each method is unstable, the most stable method first."""
+def columns_answer(runs, column, others):
+    """A sentence: in how many cases each value of `column` is unstable, the most stable value first."""
     counts = []
-    for method, own in group(runs, lambda run: run["method"]).items():
+    for value, own in group(runs, lambda run: run[column]).items():
         red, cases = {run["case"] for run in own if run["verdict"] == RED}, {run["case"] for run in own}
-        counts.append((len(red) / len(cases), f"{escape(method)} in {len(red)} of {len(cases)}"))
+        counts.append((len(red) / len(cases), f"{escape(value)} in {len(red)} of {len(cases)}"))
     parts = [text for _, text in sorted(counts, key=lambda entry: entry[0])]
-    return f"Unstable with at least one model: {'; '.join(parts)} cases."
+    return f"Unstable with at least one {others}: {'; '.join(parts)} cases."
 
 
-def methods_table(runs):
-    """(a table of cases × methods for the cases whose runs have different verdicts, a list of the other cases
-    by colour)."""
+def columns_table(runs, column):
+    """(a table for the cases whose runs have different verdicts, with a column for each value of `column`; a
+    list of the other cases by colour)."""
     by_case = group(runs, lambda run: run["case"])
-    methods = list(group(runs, lambda run: run["method"]))
+    values = list(group(runs, lambda run: run[column]))
     telling, alike = split_cases(by_case)
     rows = ""
     for name in telling:
-        by_method = group(by_case[name], lambda run: run["method"])
-        cells = "".join(_method_cell(by_method.get(method, [])) for method in methods)
+        by_value = group(by_case[name], lambda run: run[column])
+        cells = "".join(_worst_cell(by_value.get(value, [])) for value in values)
         rows += f"<tr><td class='t text'>{full_title_html(name)}</td>{cells}</tr>\n"
-    table = scroll_table(head_html("case", *methods), rows, "Cases and methods", class_="shares cards")
+    table = scroll_table(head_html("case", *values), rows, f"Cases by {column}", class_="shares cards")
     colours = "".join(element("span", f"{verdict}: {meaning}", class_=f"status {verdict}")
                       for verdict, meaning in MEANING.items())
     return f"{table}<p class='key'>{colours}</p>", alike
 
 
-def _method_cell(runs):
-    """A cell with the worst verdict of the models in a case; it opens the runs with this verdict."""
+def _worst_cell(runs):
+    """A cell with the worst verdict of these runs of a case; it opens the runs with this verdict."""
     if not runs:
         return "<td class='t'></td>"
     verdict = next(colour for colour in MEANING if any(run["verdict"] == colour for run in runs))
@@ -241,8 +261,7 @@ class Planned:
 
 def _about(run, plan, base):
     worst, point = worst_of(run), run.get("point") or plan.point_of(run)
-    # the runs of a case and a model differ in the solver method or in the precision
-    title = f"{CASE[run['case']].title}: {run['model']}, {run.get('method') or run['precision']}"
+    title = f"{CASE[run['case']].title}: {', '.join([run['model'], *kind_of(run)])}"
     shown = {"label": worst.name, "value": worst.value, "limit": worst.limit, "unit": worst.unit,
              "held": run["verdict"] == GREEN}
     if not math.isfinite(worst.value):

@@ -750,7 +750,8 @@ class StabilityTest(unittest.TestCase):
                     for pointer, values in swept.items() for index, value in enumerate(values)]
 
         for folder, cases in ((stability_cases.FOLDER, stability_cases.CASES),
-                              (stability_cases.METHODS, stability_cases.METHOD_CASES)):
+                              (stability_cases.METHODS, stability_cases.METHOD_CASES),
+                              (stability_cases.FABRICS, stability_cases.FABRIC_CASES)):
             for config in sorted(sweeps.CONFIGS.glob(f"{folder}/*.json")):
                 used = {(pointer, canonical(value)) for case in cases
                         for of, wanted in ((case.config, case.where),
@@ -773,6 +774,12 @@ class StabilityTest(unittest.TestCase):
                                  set(hard["sweep"]) - {"/solver/precision"})
         self.assertEqual(len(list((sweeps.CONFIGS / "methods").glob("*.json"))),
                          2 * len(stability_cases.REPEATED))
+        for name in stability_cases.WITH_FABRICS:
+            method, fabric = (read(f"{folder}/{name}") for folder in ("methods", "fabrics"))
+            same = ("duration", "mesh", "material", "output", *scene)
+            self.assertEqual([fabric.get(key) for key in same], [method.get(key) for key in same])
+        self.assertEqual(sorted(file.stem for file in (sweeps.CONFIGS / "fabrics").glob("*.json")),
+                         sorted(stability_cases.WITH_FABRICS))
 
     @staticmethod
     def by_method(case, model, method, verdict, value=2.0):
@@ -791,14 +798,14 @@ class StabilityTest(unittest.TestCase):
                 self.by_method(case, "none", "newton, euler", "amber"),
                 self.by_method("start: mirrored", "none", "pbd", "green", 0.5),
                 self.by_method("start: mirrored", "none", "newton, euler", "green", 0.5)]
-        table, alike = stability_matrix.methods_table(runs)
+        table, alike = stability_matrix.columns_table(runs, "method")
         self.assertIn("data-run='start-random.lod.pbd start-random.none.pbd'", table)  # worst first
         self.assertIn("status red' title='red'>2 of 3<", table)
         self.assertIn("status amber' title='amber'>1 of 1<", table)
         self.assertNotIn("mirrored", table)
         self.assertIn("all green</span>: start poses: mirrored<", alike)
-        self.assertEqual(stability_matrix.methods_answer(runs), "Unstable with at least one model: newton, "
-                         "euler in 0 of 2; pbd in 1 of 2 cases.")
+        self.assertEqual(stability_matrix.columns_answer(runs, "method", "model"),
+                         "Unstable with at least one model: newton, euler in 0 of 2; pbd in 1 of 2 cases.")
 
     def test_the_panel_of_a_run_of_a_method(self):
         runs = [hard_run("start: random", "none", "single", "green"),

@@ -8,10 +8,11 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
-from figures.performance import effects, history, kinds, limits, methods, order, overview  # noqa: E402
-from figures.performance import set_up, sizes, threads  # noqa: E402
+from figures.performance import effects, history, kinds, laws, limits, methods, order  # noqa: E402
+from figures.performance import overview, set_up, sizes, threads  # noqa: E402
 from figures.performance.rows import iterations, lacking, per_vertex, series, shown, usual  # noqa: E402
 from pages import performance, project  # noqa: E402
+from tables.section import Section  # noqa: E402
 
 CONTEXT = {"schema_version": 1, "date": "2001-02-03T04:05:06Z", "host": "a host", "processor": "a processor",
            "compiler": "a compiler", "flags": "-O3", "build_type": "Release", "vector_bits": 128,
@@ -64,7 +65,10 @@ METHODS = [row_of("method/pbd/10", ns=30.0, step_ms=0.03),
            row_of("gradient/10", constraints=500, ns=2.0, ratio=40.0, roofline=0.4),
            row_of("method/newton/10", ns=9000.0, scalar="double", step_ms=2.0),
            row_of("solve_oracle/10", ns=72.0, scalar="double")]
-EVERYTHING = [*KERNELS, *METHODS, *EFFECTS, *SET_UP, *ORDER, *BESIDE]
+LAWS = [row_of("law/pbd/mid_edge/one_rigidity/10", ns=10.0, step_ms=2.0),
+        row_of("law/pbd/mid_edge/friction/10", ns=15.0, step_ms=3.0),
+        row_of("law/pbd/mid_edge/over_time/10", ns=11.0, step_ms=2.2)]
+EVERYTHING = [*KERNELS, *METHODS, *LAWS, *EFFECTS, *SET_UP, *ORDER, *BESIDE]
 
 
 class MeasureTest(unittest.TestCase):
@@ -90,6 +94,14 @@ class MeasureTest(unittest.TestCase):
     def test_the_usual_size_is_the_size_of_most_kinds(self):
         self.assertEqual(usual(self.table()), 100)
         self.assertIsNone(usual(self.table(EFFECTS)))
+
+    def test_the_title_of_the_laws_names_the_slowest_law(self):
+        section = Section("laws", "")
+        laws.main({"rows": LAWS}, None, section)
+        self.assertEqual([row["times"] for row in section.tables[0].rows], [1, 1.5, 1.1])
+        self.assertEqual(section.charts[0].title,
+                         "Over the time of a step with one rigidity, a step takes at most 1.50 with pbd "
+                         "(friction, mid_edge)")
 
     def test_kinds_without_a_row_are_listed(self):
         lines = lacking(self.table(), ["strain", "dihedral"])
@@ -201,8 +213,8 @@ class PageTest(unittest.TestCase):
         self.assertIsNone(next(row for row in rows if row["name"] == "convergence/corner/1")["ns_per_vertex"])
         timed = len(EVERYTHING) - len(ORDER)
         self.assertIn(f"All {timed} timed rows", text)
-        self.assertEqual(list(charts), ["step", "sizes", "kinds", "limits", "methods", "effects", "set_up",
-                                        "order", "threads", "history"])
+        self.assertEqual(list(charts), ["step", "sizes", "kinds", "limits", "methods", "effects", "laws",
+                                        "set_up", "order", "threads", "history"])
         # The answer comes first.
         self.assertLess(text.index("0.0064 ms on one thread"), text.index("data-chart="))
 

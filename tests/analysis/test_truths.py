@@ -11,8 +11,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-from truths import buckling, cantilevers, collocation, linear_shells, moebius, order, shells  # noqa: E402
-from truths import strips, surfaces  # noqa: E402
+from truths import buckling, cantilevers, collocation, fabrics, linear_shells, moebius, order  # noqa: E402
+from truths import shells, strips, surfaces  # noqa: E402
+from truths.napkin import Napkin  # noqa: E402
 
 GAUSS, WEIGHTS = np.polynomial.legendre.leggauss(60)
 
@@ -161,6 +162,88 @@ class Cantilevers(unittest.TestCase):
         for mode in (1, 2):
             frequency = cantilevers.natural_frequency(1.0, mode)
             self.assertAlmostEqual(squares[mode - 1] / frequency**2, 1, places=5)
+
+
+class Fabrics(unittest.TestCase):
+    def test_a_linear_moment_gives_the_elastica(self):
+        for gamma in (1, 20, 100):
+            length = gamma**(1 / 3)
+            strip = cantilevers.cantilever(length)
+            end = fabrics.cantilever(length, 1, fabrics.linear(1))[-1]
+            np.testing.assert_allclose(end, (strip.x[-1], strip.y[-1]), atol=1e-6 * length)
+
+    def test_laws_with_a_linear_limit(self):
+        end = lambda curvature: fabrics.cantilever(1, 3, curvature)[-1]
+        np.testing.assert_allclose(end(fabrics.softening(1, 1e9)), end(fabrics.linear(1)), atol=1e-8)
+        np.testing.assert_allclose(end(fabrics.table([1, 2], [1, 2])), end(fabrics.linear(1)), atol=1e-8)
+        # Friction that is never overcome adds moment / slip to the rigidity.
+        np.testing.assert_allclose(end(fabrics.friction(1, 100, 50)), end(fabrics.linear(3)), atol=1e-8)
+
+    def test_an_orthotropic_sheet(self):
+        warp, weft, bias = 3.0, 1.0, 1.6
+        plate = fabrics.plate(warp, weft, bias, 0.2)
+        np.testing.assert_allclose([fabrics.strip(plate, angle) for angle in (0, 90, 45)], (warp, weft, bias))
+        huber = fabrics.plate(warp, weft, fabrics.bias_of_huber(warp, weft))
+        self.assertAlmostEqual(huber[0, 1] + 2 * huber[2, 2], np.sqrt(huber[0, 0] * huber[1, 1]))
+        isotropic = fabrics.plate(2, 2, 2, 0.3)  # B of a strip is D (1 - ν²)
+        for angle in (0, 20, 45):
+            self.assertAlmostEqual(fabrics.strip(isotropic, angle), 2)
+            self.assertAlmostEqual(fabrics.cylinder(isotropic, angle), 2 / (1 - 0.3**2))
+
+
+class Napkins(unittest.TestCase):
+    def test_a_small_sag_is_that_of_kirchhoffs_plate(self):
+        """w = q r⁴/64 + c0 + c1 ln r + c2 r² + c3 r² ln r; the rim has no moment and no shear."""
+        inner, nu = 0.6, 0.3
+        one = lambda r: [r**4 / 64, 1, np.log(r), r**2, r**2 * np.log(r)]
+        slope = lambda r: [r**3 / 16, 0, 1 / r, 2 * r, r * (2 * np.log(r) + 1)]
+        second = lambda r: [3 * r**2 / 16, 0, -1 / r**2, 2, 2 * np.log(r) + 3]
+        moment = np.array(second(1)) + nu * np.array(slope(1))
+        shear = np.array([1 / 2, 0, 0, 0, 4])  # (∇²w)' at r = 1
+        rows = np.array([one(inner), slope(inner), moment, shear])
+        c = np.linalg.solve(rows[:, 1:], -rows[:, 0])
+        napkin = Napkin(inner, nu)
+        load = 1e-6
+        sag = napkin.w[0] @ napkin.sag(load)[:napkin.terms] / load
+        np.testing.assert_allclose(sag, [row[0] + row[1:] @ c for row in map(np.array, map(one, napkin.r))],
+                                   rtol=1e-8)
+
+    def test_the_second_variation_is_that_of_the_energy(self):
+        """Against second differences of the energy, integrated over the disc."""
+        napkin, n, nu = Napkin(0.5, 0.25, 5), 3, 0.25
+        t = napkin.terms
+        x = napkin.sag(900)
+        random = np.random.default_rng(1)
+        wave = random.normal(size=3 * t)
+        phi = np.arange(48) * 2 * np.pi / 48
+        r, cos, sin = napkin.r[:, None], np.cos(n * phi), np.sin(n * phi)
+
+        def energy(step):
+            w1, w2 = ((table @ x[:t])[:, None] + step * (table @ wave[:t])[:, None] * cos
+                      for table in napkin.w[1:])
+            u, u1 = ((table @ x[t:])[:, None] + step * (table @ wave[t:2 * t])[:, None] * cos
+                     for table in napkin.u[:2])
+            v, v1 = (step * (table @ wave[2 * t:])[:, None] * sin for table in napkin.u[:2])
+            by_phi = lambda table, part: -n * step * (table @ part)[:, None] * sin
+            w_phi, w1_phi, u_phi = (by_phi(napkin.w[0], wave[:t]), by_phi(napkin.w[1], wave[:t]),
+                                    by_phi(napkin.u[0], wave[t:2 * t]))
+            w_phi2 = -n**2 * step * (napkin.w[0] @ wave[:t])[:, None] * cos
+            v_phi = n * step * (napkin.u[0] @ wave[2 * t:])[:, None] * cos
+            plate = lambda a, b, shear: a**2 + b**2 + 2 * nu * a * b + (1 - nu) / 2 * shear**2
+            stretch = plate(u1 + w1**2 / 2, (u + v_phi) / r + w_phi**2 / 2 / r**2,
+                            u_phi / r + v1 - v / r + w1 * w_phi / r) / (1 - nu**2)
+            bend = plate(w2, w1 / r + w_phi2 / r**2, 2 * (w1_phi / r - w_phi / r**2))
+            return np.sum(napkin.area[:, None] * (stretch + bend) / 2) / len(phi)
+
+        step = 1e-3
+        difference = (energy(step) - 2 * energy(0) + energy(-step)) / step**2
+        # The mean of cos² and sin² is ½.
+        self.assertAlmostEqual(difference / (wave @ napkin.second_variation(x, n) @ wave / 2), 1, places=5)
+
+    def test_the_critical_load_does_not_depend_on_the_number_of_terms(self):
+        few, many = (Napkin(0.6, 0.3, terms).critical(range(4, 7)) for terms in (9, 12))
+        self.assertAlmostEqual(few[0] / many[0], 1, places=6)
+        self.assertEqual((few[1], many[1]), (5, 5))
 
 
 class Strips(unittest.TestCase):

@@ -45,9 +45,15 @@ class Drape(unittest.TestCase):
         length = textile.length_of(1e-5, 0.1)
         curve = {length * math.exp(k / 1000): 50 + k / 10 for k in range(-200, 201)}
         relative = math.sqrt(textile.DIRECTIONS**2 + textile.RIGIDITY**2 + textile.WEIGHT**2)
-        friction = 100 * math.log(1.2) / 3 / math.sqrt(3)  # B between 10 and 12 µN m
-        self.assertAlmostEqual(textile.u_input(curve, 1e-5, 1.2e-5, 0.1),
-                               math.hypot(100 * relative / 3, friction), 2)
+        self.assertAlmostEqual(textile.u_input(curve, 1e-5, 0.1), 100 * relative / 3, 2)
+        self.assertAlmostEqual(textile.u_friction(curve, 1e-5, 1.2e-5, 0.1),  # B between 10 and 12 µN m
+                               100 * math.log(1.2) / 3 / math.sqrt(3), 2)
+
+    def test_a_rigidity_by_direction_leaves_the_other_inputs_uncertain(self):
+        length = textile.length_of(1e-5, 0.1)
+        curve = {length * math.exp(k / 1000): 50 + k / 10 for k in range(-200, 201)}
+        self.assertAlmostEqual(textile.u_input(curve, 1e-5, 0.1, directions=0),
+                               100 * math.hypot(textile.RIGIDITY, textile.WEIGHT) / 3, 2)
 
     def test_without_runs_there_is_no_verdict(self):
         self.assertEqual({case.holds for case in textile.validations([]).values()}, {None})

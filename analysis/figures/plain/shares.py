@@ -15,7 +15,7 @@ from tables.table import Table
 NAMES = {SILENT: "wrong without a warning", WARNED: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, WARNED)
-MIXED = ("metres", "millimetres", "methods")  # covering arrays: runs that mix all values evenly
+MIXED = ("metres", "millimetres", "methods", "fabrics")  # covering arrays: runs that mix all values evenly
 PLACE = {"model": registry.model_place, "method": lambda name: registry.method_place(name.split(", ")[0])}
 ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
@@ -64,7 +64,7 @@ def main(results, out, section):
         "Which settings break bounds", "value", ["share"], ["what"], held=["setting"], at="model",
         scale="band", y_scale="linear", look="",
         note=f"{len(mixed)} runs of the covering arrays, which mix the values of all settings evenly: "
-             f"{counts}. The array over methods has no stiffness given as k.")
+             f"{counts}. The arrays over methods and over bending laws have no stiffness given as k.")
 
 
 def place_of(experiment, run):

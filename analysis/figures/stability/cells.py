@@ -42,10 +42,15 @@ def as_json(cell):
         "recovered_s": seen("recovered_at"), "energy_rises": seen("energy_rises"), "why": cell.why})
 
 
+def kind_of(run):
+    """The words that tell a run of a case from the others, besides its model: the precision or, if the run
+    states them, its solver method and its bending law. `run` is a JSON object."""
+    return [run.get("method") or run["precision"], *filter(None, [run.get("law")])]
+
+
 def id_of(run):
-    """The address of a run in the page, for example start-creased.adaptive.single; `run` is a JSON object. If
-    the run states a solver method, the method replaces the precision."""
-    return f"{address(run['case'])}.{run['model']}.{address(run.get('method') or run['precision'])}"
+    """The address of a run in the page, for example start-creased.adaptive.single; `run` is a JSON object."""
+    return ".".join([address(run["case"]), run["model"], *map(address, kind_of(run))])
 
 
 def cells_of(results, section, cases, folder, key_of):

@@ -16,13 +16,14 @@ FABRICS = {"polyester faille": (1.863e-6, 2.550e-6, 0.1043, 28.3),
 # Radius of the specimen in m → (diameter, specimen and table)
 TESTERS = {0.15: ("30 cm", "specimen 30 cm, table 18 cm"),
            0.127: ("25.4 cm", "specimen 25.4 cm, table 12.7 cm")}
-COARSE, USUAL, FINE = 20, 30, 40  # cells along the radius; curves are of USUAL, S of validation of FINE
+COARSE, USUAL, FINE = 20, 30, 40  # cells along the radius. USUAL: for curves; FINE: for S in the validation
 ORDER = 2  # of the error in the mesh size, in theory; the scatter over seeds hides the observed order
-# Relative standard uncertainties of B/ρ, beside friction. DIRECTIONS: of B over all directions, which is
-# (warp + weft)/4 + bias/2, if only the mean of warp and weft is known (we take B to be this mean): root mean
-# square in the 251 distinct rows of dataset.csv (618 rows) of Feng and others 2022, doi
-# 10.1145/3550454.3555464; there, warp and weft differ by a factor of 1.67 at the median. RIGIDITY and WEIGHT:
-# of the measurements of B and ρ; our assumptions, because we found no published repeatability.
+# Relative standard uncertainties of B/ρ, beside friction. DIRECTIONS: of B if only the mean of warp and weft
+# is known. (We take B to be this mean. The mean over all directions is (warp + weft)/4 + bias/2.) It is the
+# root mean square in the 251 distinct rows of dataset.csv (618 rows) of Feng and others 2022, doi
+# 10.1145/3550454.3555464; there, the larger of warp and weft is 1.67 times the smaller at the median.
+# RIGIDITY and WEIGHT: of the measurements of B and ρ; our assumptions, because we found no published
+# repeatability.
 DIRECTIONS, RIGIDITY, WEIGHT = 0.27, 0.05, 0.01
 # Relative standard uncertainty of D: our assumption. Kenkare and others 2008, doi 10.1080/00405000701489222,
 # call drape "highly variable", but we found no number. Our simulations scatter by 2 to 4 % over seeds.
@@ -130,22 +131,30 @@ def validations(runs):
     scatter = validation.scatter([list(usual[length].values()) for length in fine if length in usual])
     mesh = validation.mesh_uncertainty(at(FINE) - at(COARSE), FINE / COARSE, ORDER)
     u_num = np.hypot(scatter / np.sqrt(min(map(len, fine.values()), default=1)), mesh)
-    return {fabric: validation.Validation(data, float(simulation), float(u_num),
-                                          u_input(curves[USUAL], *inputs), DRAPE * data)
-            for (fabric, (*inputs, data)), simulation in zip(FABRICS.items(), at(FINE))}
+    return {fabric: validation.Validation(
+                data, float(simulation), float(u_num),
+                float(np.hypot(u_input(curves[USUAL], rigidity, weight),
+                               u_friction(curves[USUAL], rigidity, rough, weight))), DRAPE * data)
+            for (fabric, (rigidity, rough, weight, data)), simulation in zip(FABRICS.items(), at(FINE))}
 
 
-def u_input(curve, rigidity, rough, weight):
-    """Standard uncertainty of the drape coefficient in points, from the uncertain inputs B and ρ."""
+def u_input(curve, rigidity, weight, directions=DIRECTIONS):
+    """Standard uncertainty of the drape coefficient in points, from the uncertain inputs B and ρ.
+    `directions`: as DIRECTIONS; 0 if the simulation has a rigidity by direction."""
     if not curve:
         return np.nan
     length = length_of(rigidity, weight)
-    # Friction: B is between `rigidity` and `rough`, all values equally likely; S is computed with the lower.
-    friction = (coefficient(curve, length_of(rough, weight)) - coefficient(curve, length)) / np.sqrt(3)
-    share = np.sqrt(DIRECTIONS**2 + RIGIDITY**2 + WEIGHT**2) / 3  # of the length, which is ∝ (B/ρ)^(1/3)
+    share = np.sqrt(directions**2 + RIGIDITY**2 + WEIGHT**2) / 3  # of the length, which is ∝ (B/ρ)^(1/3)
     low, high = np.clip([length * (1 - share), length * (1 + share)], min(curve), max(curve))
     slope = (coefficient(curve, high) - coefficient(curve, low)) / np.log(high / low)
-    return float(np.hypot(friction, slope * share))
+    return float(slope * share)
+
+
+def u_friction(curve, rigidity, rough, weight):
+    """Standard uncertainty of the drape coefficient in points, from internal friction that a simulation with
+    B = `rigidity` leaves out: B lies between `rigidity` and `rough`, all values equally likely."""
+    ends = (coefficient(curve, length_of(end, weight)) for end in (rigidity, rough))
+    return float(abs(np.subtract(*ends)) / np.sqrt(3))
 
 
 def catenary_sag(ratio):
