@@ -15,7 +15,8 @@ from runs.stretch import areas, principal_stretches
 from runs.sweeps import read_config
 
 FOLDER = "plain"  # below configs/
-CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods", "fabrics")
+CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods", "fabrics",
+           "fabrics_map")
 TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 
 SOUND, WARNED, SILENT, ALARM = "sound", "warned", "silent", "false alarm"

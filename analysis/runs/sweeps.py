@@ -111,7 +111,7 @@ def planned_points(settings, axes):
     points = {}
     for values in itertools.product(*axes.values()):
         point = dict(zip(axes, values))
-        model = point.get("/bending/model") or point.get("/bending", settings["bending"])["model"]
+        model = point.get("/bending/model") or point.get("/bending", settings.get("bending"))["model"]
         point = {pointer: value for pointer, value in point.items() if pointer.count("/") < 3
                  or not pointer.startswith("/bending/") or pointer.startswith(f"/bending/{model}/")}
         points.setdefault(point_key(point), point)

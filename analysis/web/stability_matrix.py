@@ -37,8 +37,10 @@ FABRIC_SCENES = (
     "along the warp and 6 µN m along the weft. softening: the moment is half of B κ at a curvature of 50 /m. "
     "friction: HB is 0.5 mN, so that HB/B is 50 /m. folds that stay: beyond a curvature of 20 /m the slope "
     "of the moment is B/5. over time: a factor on B grows from 1 to 100 in the first second, and falls to "
-    "0.01 in the next second. map: B is 100 times as large in one half. The energy is checked only for laws "
-    "whose energy follows from the pose. The last law combines four of these laws.")
+    "0.01 in the next second. map: B is 100 times as large in one half. The last law combines four of these "
+    "laws.")
+NO_ENERGY = ("The energy is not checked here, because with friction, folds or a factor over time it does not "
+             "follow from the pose. So a cell may be better than in the sections before, which check it.")
 
 
 def shared(runs):
@@ -161,14 +163,14 @@ def methods_html(runs):
 
 def fabrics_html(runs):
     """The HTML of the section on bending laws, as methods_html()."""
-    return _columns_html(runs, "law", "combination of model and method", FABRIC_SCENES)
+    return _columns_html(runs, "law", "combination of model and method", FABRIC_SCENES, NO_ENERGY)
 
 
-def _columns_html(runs, column, others, scenes):
+def _columns_html(runs, column, others, scenes, also=""):
     if not runs:
         return []
     table, alike = columns_table(runs, column)
-    return [f"<p><b>{columns_answer(runs, column, others)}</b> {CELLS}</p>", table, alike,
+    return [f"<p><b>{columns_answer(runs, column, others)}</b> {CELLS} {also}</p>", table, alike,
             folded("Which runs these are", f"<p>{scenes}</p>")]
 
 

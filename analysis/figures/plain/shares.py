@@ -15,7 +15,8 @@ from tables.table import Table
 NAMES = {SILENT: "wrong without a warning", WARNED: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, WARNED)
-MIXED = ("metres", "millimetres", "methods", "fabrics")  # covering arrays: runs that mix all values evenly
+# Covering arrays: their runs mix all values evenly.
+MIXED = ("metres", "millimetres", "methods", "fabrics", "fabrics_map")
 PLACE = {"model": registry.model_place, "method": lambda name: registry.method_place(name.split(", ")[0])}
 ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
@@ -48,7 +49,7 @@ def main(results, out, section):
     mixed = [entry for entry in section.data if entry["config"] in MIXED]
     rows = []
     for axis in AXES:
-        runs_of = group(mixed, lambda entry: entry["settings"][axis])
+        runs_of = group(comparable(mixed, axis), lambda entry: entry["settings"][axis])
         for value, verdict in itertools.product(in_order(axis, runs_of), (SILENT, WARNED, ALARM)):
             count = len(runs_of[value])
             wrong = [entry["id"] for entry in runs_of[value] if entry["verdict"] == verdict]
@@ -64,7 +65,14 @@ def main(results, out, section):
         "Which settings break bounds", "value", ["share"], ["what"], held=["setting"], at="model",
         scale="band", y_scale="linear", look="",
         note=f"{len(mixed)} runs of the covering arrays, which mix the values of all settings evenly: "
-             f"{counts}. The arrays over methods and over bending laws have no stiffness given as k.")
+             f"{counts}. Each chart counts the arrays that vary its setting.")
+
+
+def comparable(entries, axis):
+    """The entries of configs that vary this axis: other configs differ in more than this setting."""
+    varying = [own for own in group(entries, lambda entry: entry["config"]).values()
+               if len({entry["settings"][axis] for entry in own}) > 1]
+    return list(itertools.chain(*varying))
 
 
 def place_of(experiment, run):
