@@ -25,18 +25,26 @@ Forces forces_of(const Positions& forces) {
   return result;
 }
 
-std::vector<EnergyPart> parts_of(const RunConfig& config) {
+struct Evaluated {
+  std::vector<EnergyPart> parts;
+  bool leaves_out = false;  // whether the scene has laws that the energies leave out
+};
+
+constexpr std::string_view left_out = "hysteresis, plasticity, over_time";
+
+Evaluated evaluated(const RunConfig& config) {
   BuiltScene scene = build_scene(config.scene());
   start_after(config.scene(), scene);
-  return energy_parts(scene.input, scene.input.positions);
+  return {energy_parts(scene.input, scene.input.positions), has_history(scene.input)};
 }
 
-Json json_of(const Experiment& experiment, const RunConfig& config, const std::vector<EnergyPart>& parts) {
+Json json_of(const Experiment& experiment, const RunConfig& config, const Evaluated& evaluated) {
   Json entry = {
       {"name", experiment.name}, {"run", place_text(experiment, config)}, {"parts", Json::object()}};
+  if (evaluated.leaves_out) entry["left_out"] = left_out;
   if (config.scene().bending.flexural_rigidity)
     entry["flexural_rigidity"] = *config.scene().bending.flexural_rigidity;
-  for (const EnergyPart& part : parts) {
+  for (const EnergyPart& part : evaluated.parts) {
     const Forces forces = forces_of(part.forces);
     entry["parts"][part.name] = {{"energy", part.energy},
                                  {"force_sum", {forces.sum.x(), forces.sum.y(), forces.sum.z()}},
@@ -52,13 +60,15 @@ int energy_command(const ConfigArguments& configs, bool json) {
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"part", "energy (J)", "energy / B", "sum of forces (N)", "largest (N)"});
     Table table(std::move(headings));
+    bool leaves_out = false;
     for (const RunConfig& config : experiment.runs) {
-      const std::vector<EnergyPart> parts = parts_of(config);
+      const Evaluated start = evaluated(config);
+      leaves_out |= start.leaves_out;
       if (json) {
-        print_text("{}\n", json_text(json_of(experiment, config, parts)));
+        print_text("{}\n", json_text(json_of(experiment, config, start)));
         continue;
       }
-      for (const EnergyPart& part : parts) {
+      for (const EnergyPart& part : start.parts) {
         const Forces forces = forces_of(part.forces);
         const auto& rigidity = config.scene().bending.flexural_rigidity;
         std::vector<std::string> cells = axis_cells(experiment, config);
@@ -72,6 +82,8 @@ int energy_command(const ConfigArguments& configs, bool json) {
     if (!json)
       print_text("{}: elastic energies and forces of the pose at the start\n\n{}\n", experiment.name,
                  table.text());
+    if (!json && leaves_out)
+      print_text("These are energies and forces at the stated stiffness, without {}\n\n", left_out);
   }
   return exit_ok;
 }

@@ -57,13 +57,21 @@ int fit_command(const FitArguments& arguments, bool json) {
                 {"known", fitted.is_known()},
                 {"correlation", fitted.correlation},
                 {"settings", Json::object()}};
-  Table table({"setting", "value", "standard uncertainty"});
+  Table table({"setting", "value", "standard uncertainty", "change if the points move by 1 mm"});
   for (const FittedSetting& setting : fitted.settings) {
     entry["settings"][setting.pointer] = {
         {"value", setting.value},
         {"relative_uncertainty",
-         std::isfinite(setting.uncertainty) ? Json(setting.uncertainty) : Json(nullptr)}};
-    table.add_row({setting.pointer, fmt::format("{:.5g}", setting.value), percent(setting.uncertainty)});
+         std::isfinite(setting.uncertainty) ? Json(setting.uncertainty) : Json(nullptr)},
+        {"relative_change_per_metre", setting.change_per_metre}};
+    table.add_row({setting.pointer, fmt::format("{:.5g}", setting.value), percent(setting.uncertainty),
+                   percent(1e-3 * setting.change_per_metre)});
+  }
+  if (const auto misplaced = fitted.misplaced()) {
+    const Vector3& move = fitted.moves[*misplaced];
+    entry["misplaced"] = {{"specimen", *misplaced + 1},
+                          {"move", {move.x(), move.y(), move.z()}},
+                          {"rms_if_moved", fitted.rms_if_moved}};
   }
   if (json)
     print_text("{}\n", json_text(entry));
@@ -73,6 +81,15 @@ int fit_command(const FitArguments& arguments, bool json) {
         "all "
         "specimens.\n",
         table.text(), 1e3 * fitted.rms, fitted.evaluations);
+  if (const auto misplaced = fitted.misplaced()) {
+    const Vector3 move = 1e3 * fitted.moves[*misplaced];
+    print_text(
+        stderr,
+        "bendlab: the points of specimen {} probably have another origin than the mesh: after a move "
+        "by ({:.2g}, {:.2g}, {:.2g}) mm, the points are {:.2g} mm from the cloth instead of {:.2g} mm. "
+        "Check where the clamp is in the measured coordinates\n",
+        *misplaced + 1, move.x(), move.y(), move.z(), 1e3 * fitted.rms_if_moved, 1e3 * fitted.rms);
+  }
   if (fitted.is_known()) return exit_ok;
   std::vector<std::string> unknown;
   for (const FittedSetting& setting : fitted.settings)

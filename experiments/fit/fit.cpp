@@ -22,6 +22,8 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 // From the nearest place of the cloth to a point, m, and the normal of the triangle there.
 struct Gap {
   Vector3 away = Vector3::Zero(), normal = Vector3::UnitZ();
@@ -35,7 +37,7 @@ struct Gap {
 };
 
 Gap gap_to(const Vector3& point, const Positions& positions, const Triangles& triangles) {
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   Gap nearest;
   for (const auto corner : triangles.rowwise()) {
     const Vector3 a = positions.row(corner(0)).transpose(), b = positions.row(corner(1)).transpose(),
@@ -152,10 +154,61 @@ VectorXd start_of(const FitProblem& problem) {
   return start;
 }
 
+// What it would mean if the points of a specimen had another place.
+struct Placement {
+  VectorXd change_per_metre;   // of the logarithm of each setting, for the worst specimen and direction
+  std::vector<Vector3> moves;  // m, of the points of each specimen, after which they fit best
+  double rms = infinity;       // m, of the distances after these moves, per degree of freedom
+};
+
+// `slopes`: #points by #settings, the change of a point's distance with the logarithms of the settings. All
+// numbers are those of the problem made linear at the minimum.
+Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
+                       const Eigen::MatrixXd& slopes) {
+  constexpr double rounding = 1e-3;  // a direction that changes the distances less than this is not known
+  const auto specimens = static_cast<Eigen::Index>(problem.shapes.size());
+  Eigen::MatrixXd by_move = Eigen::MatrixXd::Zero(slopes.rows(), 3 * specimens);
+  VectorXd distances(slopes.rows());
+  Eigen::Index row = 0;
+  for (Eigen::Index s = 0; s < specimens; ++s)
+    for (Eigen::Index p = 0; p < problem.shapes[static_cast<std::size_t>(s)].points.rows(); ++p, ++row) {
+      const Gap& gap = gaps[static_cast<std::size_t>(row)];
+      by_move.block<1, 3>(row, 3 * s) = gap.direction().transpose();
+      distances(row) = gap.direction().dot(gap.away);
+    }
+  const auto decomposed = [&](const Eigen::MatrixXd& matrix) {
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> result;
+    result.setThreshold(rounding);
+    return result.compute(matrix);
+  };
+  Placement placement{.change_per_metre = VectorXd::Zero(slopes.cols()), .moves = {}};
+  const Eigen::MatrixXd changes = decomposed(slopes).solve(by_move);
+  Eigen::MatrixXd both(slopes.rows(), slopes.cols() + by_move.cols());
+  both << slopes, by_move;
+  const auto solver = decomposed(both);
+  const VectorXd best = solver.solve(-distances);
+  for (Eigen::Index s = 0; s < specimens; ++s) {
+    placement.change_per_metre =
+        placement.change_per_metre.cwiseMax(changes.middleCols<3>(3 * s).rowwise().norm());
+    placement.moves.emplace_back(best.segment<3>(slopes.cols() + 3 * s));
+  }
+  if (row > solver.rank())
+    placement.rms = (distances + both * best).norm() / std::sqrt(static_cast<double>(row - solver.rank()));
+  return placement;
+}
+
 }  // namespace
 
 bool Fitted::is_known() const {
   return std::ranges::all_of(settings, [](const FittedSetting& s) { return s.uncertainty <= known; });
+}
+
+std::optional<std::size_t> Fitted::misplaced() const {
+  constexpr double falls_to = 0.5;
+  if (moves.empty() || !(rms_if_moved < falls_to * rms)) return std::nullopt;
+  const auto farthest = std::ranges::max_element(moves, {}, [](const Vector3& move) { return move.norm(); });
+  if (!(farthest->norm() > rms)) return std::nullopt;
+  return static_cast<std::size_t>(farthest - moves.begin());
 }
 
 Fitted fit(const FitProblem& problem) {
@@ -243,11 +296,13 @@ Fitted fit(const FitProblem& problem) {
                                 : std::numeric_limits<double>::max();
     covariance += variance * along * along.transpose();
   }
+  const Placement placement = placement_of(problem, at_best, slopes);
+  fitted.moves = placement.moves, fitted.rms_if_moved = placement.rms;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double variance = covariance(i, i);
-    fitted.settings.push_back(
-        {problem.pointers[static_cast<std::size_t>(i)], std::exp(best(i)),
-         variance < 1e12 ? std::sqrt(variance) : std::numeric_limits<double>::infinity()});
+    fitted.settings.push_back({problem.pointers[static_cast<std::size_t>(i)], std::exp(best(i)),
+                               variance < 1e12 ? std::sqrt(variance) : infinity,
+                               placement.change_per_metre(i)});
     for (Eigen::Index j = 0; j < i; ++j)
       if (const double c = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
           std::abs(c) > std::abs(fitted.correlation))

@@ -36,6 +36,9 @@ struct FittedSetting {
   double value = 0;
   /// Standard uncertainty, relative to the value; infinite if no point depends on the setting.
   double uncertainty = 0;
+  /// The relative change of the value if all points of a specimen move by 1 m, in the direction and for the
+  /// specimen that change it most. Linear: valid for moves of a few millimetres.
+  double change_per_metre = 0;
 };
 
 struct Fitted {
@@ -43,6 +46,13 @@ struct Fitted {
   double rms = 0;          ///< of the distances between points and cloth, m
   int evaluations = 0;     ///< simulations of all specimens
   double correlation = 0;  ///< of two settings, with its sign: the largest in absolute value
+  /// For each specimen, the move of all its points after which they fit best, m, and the root mean square
+  /// distance after these moves, per degree of freedom; infinite if there are too few points.
+  std::vector<Vector3> moves;
+  double rms_if_moved = 0;
+  /// The specimen whose points have to move farthest, if moves halve the distances; otherwise none. Such
+  /// points probably have another origin than the mesh.
+  std::optional<std::size_t> misplaced() const;
   /// The points do not determine a setting if its relative standard uncertainty is above this.
   static constexpr double known = 0.3;
   bool is_known() const;

@@ -78,13 +78,16 @@ std::vector<std::string> unread(const WarningInput& input, std::string_view deci
   if (std::ranges::any_of(input.experiment.axes,
                           [&](const Axis& axis) { return lies_within(decider, axis.first); }))
     return pointers;
+  // The resolved config keeps the laws of bending, such as /bending/softening, also without bending.
+  const bool no_bending = decider == "/bending/model" && !input.config.scene().bending.model.kind().bends;
   for (const Section& section : config_sections())
     for (const SettingRow& row : section.rows) {
-      if (decider_of(section, row.field) != decider) continue;
+      const bool is_inert = no_bending && section.pointer.starts_with("/bending/");
+      if (!is_inert && decider_of(section, row.field) != decider) continue;
       std::string pointer = child_pointer(section.pointer, row.field.name);
-      const bool is_read = row.field.depends_on.empty()
-                               ? value_at(input.config.resolved(), pointer) != nullptr
-                               : row.field.is_read(&input.config.scene());
+      const bool is_read =
+          !is_inert && (row.field.depends_on.empty() ? value_at(input.config.resolved(), pointer) != nullptr
+                                                     : row.field.is_read(&input.config.scene()));
       if (!is_read && is_chosen(input, pointer)) pointers.push_back(std::move(pointer));
     }
   return pointers;
@@ -130,6 +133,19 @@ Message inert_setting(const WarningInput& input) {
                          fmt::format(fmt::runtime(cause[1]), choice_at(input, cause[0]), them), them,
                          cause[0]);
     }
+  const Scene& scene = input.config.scene();
+  for (const auto& [pointer, factors] :
+       {std::pair{"/material/strain/over_time", &scene.material.strain.over_time},
+        std::pair{"/bending/over_time", &scene.bending.over_time}})
+    if (is_chosen(input, pointer) && factors->is_given() && factors->is_always_1(scene.duration) &&
+        std::ranges::none_of(input.experiment.axes, [pointer = std::string_view(pointer)](const Axis& axis) {
+          return lies_within(pointer, axis.first);
+        }))
+      return fmt::format(
+          "{} changes nothing here, because the factor is 1 until the end of the run, {:.3g} s: state "
+          "another "
+          "factor, remove it, or set a longer /duration",
+          pointer, scene.duration);
   return std::nullopt;
 }
 

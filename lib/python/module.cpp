@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "bendlab/mesh/files.hpp"
 #include "bendlab/scene/fields_json.hpp"
 #include "bendlab/scene/scene_tables.hpp"
 #include "cloth.hpp"
@@ -122,7 +123,7 @@ PYBIND11_MODULE(_core, module) {
   using namespace bendlab;
   using namespace py::literals;
   static py::exception<ConfigError> config_error(module, "ConfigError", PyExc_ValueError);
-  py::register_exception<MeshError>(module, "MeshError", PyExc_ValueError);
+  static py::exception<MeshError> mesh_error(module, "MeshError", PyExc_ValueError);
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);
@@ -131,6 +132,10 @@ PYBIND11_MODULE(_core, module) {
       py::object raised = type(error.what());
       raised.attr("problems") = problems_of(error);
       PyErr_SetObject(type.ptr(), raised.ptr());
+    } catch (const MeshError& error) {
+      PyErr_SetString(mesh_error.ptr(), error.what());
+    } catch (const MeshFileError& error) {
+      PyErr_SetString(mesh_error.ptr(), error.what());
     }
   });
 

@@ -104,6 +104,37 @@ TEST_CASE("a fit refuses what the points cannot determine, also if they are exac
   CHECK_THROWS_WITH(fit(problem), ContainsSubstring("still moves"));
 }
 
+TEST_CASE("a fit states what a wrong origin of the points would change, and finds a wrong origin", "[fit]") {
+  FitProblem problem;
+  problem.runs.push_back(
+      run_of(strip(coarse, R"({"model": "discrete_shells", "flexural_rigidity": 5e-6})", 1)));
+  problem.shapes.push_back(
+      shape_of(strip(coarse, R"({"model": "discrete_shells", "flexural_rigidity": 6e-6})", 1)));
+  problem.pointers = {"/bending/flexural_rigidity"};
+  const Positions exact = problem.shapes.front().points;
+  const auto fitted_at = [&](int axis, double move) {
+    problem.shapes.front().points = exact;
+    problem.shapes.front().points.col(axis).array() += move;
+    return fit(problem);
+  };
+  const Fitted right = fitted_at(0, 0);
+  CHECK(!right.misplaced());
+  double squared = 0;
+  for (const int axis : {0, 2}) {
+    constexpr double step = 1e-4;
+    const double change =
+        std::log(fitted_at(axis, step).settings[0].value / fitted_at(axis, -step).settings[0].value) /
+        (2 * step);
+    squared += change * change;
+  }
+  // The tolerance is for the curvature of the change, and for distances to triangles instead of a curve.
+  CHECK_THAT(right.settings[0].change_per_metre, WithinRel(std::sqrt(squared), 0.1));
+  const Fitted wrong = fitted_at(0, 1e-3);
+  INFO(wrong.rms << " " << wrong.rms_if_moved << " " << wrong.moves.front().transpose());
+  CHECK(wrong.misplaced() == 0);
+  CHECK_THAT(wrong.moves.front().x(), WithinRel(-1e-3, 0.2));  // linear
+}
+
 TEST_CASE("the uncertainty of a fit does not depend on a point beyond the border", "[fit]") {
   const std::string truth = R"({"model": "discrete_shells", "flexural_rigidity": 2e-5})",
                     start = R"({"model": "discrete_shells", "flexural_rigidity": 1.5e-5})";

@@ -259,6 +259,19 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
   CHECK(codes_of(disc(R"("radius": 0.3)")).empty());
   CHECK_THAT(message_of("inert_setting", disc(R"("width": 2, "rows": "parallel")")),
              ContainsSubstring("/mesh/width, /mesh/rows change nothing here, because the generator disc"));
+  CHECK_THAT(
+      message_of("inert_setting", with(R"("bending": {"model": "none", "softening": {"half_at": 50}})")),
+      ContainsSubstring("/bending/softening/half_at changes nothing here, because /bending/model is none"));
+  const auto over_time = [&](const std::string& times) {
+    return with(R"("duration": 1, "solver": {"method": "newton", "iterations": 9}, "material": {"strain":
+                   {"stiffness": "compliance", "compliance": 1e-4}}, "bending": {"stiffness": "compliance",
+                   "compliance": 1, "over_time": {"factors": [1, 1, 5], "times": )" +
+                times + "}}");
+  };
+  CHECK_THAT(
+      message_of("inert_setting", over_time("[0, 1, 2]")),
+      ContainsSubstring("/bending/over_time changes nothing here, because the factor is 1 until the end"));
+  CHECK(codes_of(over_time("[0, 0.5, 2]")).empty());
 }
 
 TEST_CASE("warnings: settings that a swept object replaces", "[warnings]") {

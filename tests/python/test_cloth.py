@@ -250,6 +250,11 @@ class MeshesFromArrays(unittest.TestCase):
             bl.Mesh(vertices)
         with self.assertRaises(bl.MeshError):
             bl.Scene(mesh=bl.Mesh(vertices, [[0, 1, 1]])).simulate()
+        paint = bl.Map(file="missing.ply", property="paint")
+        for scene in (bl.Scene(mesh=bl.Mesh(file="missing.obj")),
+                      bl.Scene(mesh=bl.grid(1, 1, 4), bending=bl.MidEdge(map=paint))):
+            with self.assertRaisesRegex(bl.MeshError, "missing"):
+                scene.simulate()
         with self.assertRaises((bl.MeshError, ValueError)):
             bl.Scene(mesh=bl.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int))).simulate()
 

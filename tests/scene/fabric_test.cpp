@@ -305,6 +305,8 @@ TEST_CASE("maps that do not fit say what to do", "[scene]") {
   write(text, "no image");
   scene.bending.map = {.file = text.string()};
   CHECK_THAT(refusal(scene), ContainsSubstring("not a PNG"));
+  scene.bending.map.property = "paint";
+  CHECK_THAT(refusal(scene), ContainsSubstring("is not read from a PNG image"));
   scene.bending.map = {.file = (folder() / "map.jpg").string()};
   CHECK_THAT(refusal(scene), ContainsSubstring("neither a PLY file nor a PNG"));
 }

@@ -26,6 +26,13 @@ struct Schedule {
     return factors[next - 1] + share * (factors[next] - factors[next - 1]);
   }
 
+  /// Whether the factor is 1 from the start until `end`, s.
+  bool is_always_1(double end) const {
+    for (std::size_t i = 0; i < times.size() && (i == 0 || times[i - 1] < end); ++i)
+      if (factors[i] != 1) return false;
+    return true;
+  }
+
   /// The largest size of a factor.
   double largest() const {
     double size = times.empty() ? 1 : 0;
