@@ -165,7 +165,8 @@ struct Placement {
 // numbers are those of the problem made linear at the minimum.
 Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
                        const Eigen::MatrixXd& slopes) {
-  constexpr double rounding = 1e-3;  // a direction that changes the distances less than this is not known
+  // Relative to the other directions: a direction that changes the distances less than this is not known.
+  constexpr double unknown = 0.03;
   const auto specimens = static_cast<Eigen::Index>(problem.shapes.size());
   Eigen::MatrixXd by_move = Eigen::MatrixXd::Zero(slopes.rows(), 3 * specimens);
   VectorXd distances(slopes.rows());
@@ -178,13 +179,17 @@ Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
     }
   const auto decomposed = [&](const Eigen::MatrixXd& matrix) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> result;
-    result.setThreshold(rounding);
+    result.setThreshold(unknown);
     return result.compute(matrix);
   };
   Placement placement{.change_per_metre = VectorXd::Zero(slopes.cols()), .moves = {}};
-  const Eigen::MatrixXd changes = decomposed(slopes).solve(by_move);
+  // All columns get the length of a move that changes every distance, so that they are comparable.
+  VectorXd scale = slopes.colwise().norm().transpose() / std::sqrt(static_cast<double>(row));
+  scale = (scale.array() > 0).select(scale, 1);
+  const Eigen::MatrixXd scaled = slopes * scale.cwiseInverse().asDiagonal();
+  const Eigen::MatrixXd changes = scale.cwiseInverse().asDiagonal() * decomposed(scaled).solve(by_move);
   Eigen::MatrixXd both(slopes.rows(), slopes.cols() + by_move.cols());
-  both << slopes, by_move;
+  both << scaled, by_move;
   const auto solver = decomposed(both);
   const VectorXd best = solver.solve(-distances);
   for (Eigen::Index s = 0; s < specimens; ++s) {
