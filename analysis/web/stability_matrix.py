@@ -40,7 +40,8 @@ FABRIC_SCENES = (
     "0.01 in the next second. map: B is 100 times as large in one half. The last law combines four of these "
     "laws.")
 NO_ENERGY = ("The energy is not checked here, because with friction, folds or a factor over time it does not "
-             "follow from the pose. So a cell may be better than in the sections before, which check it.")
+             "follow from the pose. So a cell may be green here and red in the sections before. All unstable runs "
+             "of quasi_newton are runs of mid_edge, which the section before does not have.")
 
 
 def shared(runs):

@@ -1,5 +1,8 @@
 // `bendlab energy`: the elastic energies and forces of the poses at the start of runs, without a step.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
 
 #include "bendlab/scene/energy.hpp"
 #include "bendlab/scene/json_text.hpp"
@@ -25,26 +28,32 @@ Forces forces_of(const Positions& forces) {
   return result;
 }
 
-struct Evaluated {
-  std::vector<EnergyPart> parts;
-  bool leaves_out = false;  // whether the scene has laws that the energies leave out
-};
-
-constexpr std::string_view left_out = "hysteresis, plasticity, over_time";
-
-Evaluated evaluated(const RunConfig& config) {
+std::vector<EnergyPart> parts_of(const RunConfig& config) {
   BuiltScene scene = build_scene(config.scene());
   start_after(config.scene(), scene);
-  return {energy_parts(scene.input, scene.input.positions), has_history(scene.input)};
+  return energy_parts(scene.input, scene.input.positions);
 }
 
-Json json_of(const Experiment& experiment, const RunConfig& config, const Evaluated& evaluated) {
+// The settings of the scene that its energies leave out.
+std::vector<std::string> left_out(const Scene& scene) {
+  std::vector<std::string> pointers;
+  for (const auto& [pointer, is_given] :
+       {std::pair{"/bending/hysteresis", scene.bending.hysteresis.is_given()},
+        std::pair{"/bending/plasticity", scene.bending.plasticity.is_given()},
+        std::pair{"/bending/over_time", scene.bending.over_time.is_given()},
+        std::pair{"/material/strain/over_time", scene.material.strain.over_time.is_given()}})
+    if (is_given) pointers.emplace_back(pointer);
+  return pointers;
+}
+
+Json json_of(const Experiment& experiment, const RunConfig& config, const std::vector<EnergyPart>& parts) {
   Json entry = {
       {"name", experiment.name}, {"run", place_text(experiment, config)}, {"parts", Json::object()}};
-  if (evaluated.leaves_out) entry["left_out"] = left_out;
+  if (const std::vector<std::string> pointers = left_out(config.scene()); !pointers.empty())
+    entry["left_out"] = pointers;
   if (config.scene().bending.flexural_rigidity)
     entry["flexural_rigidity"] = *config.scene().bending.flexural_rigidity;
-  for (const EnergyPart& part : evaluated.parts) {
+  for (const EnergyPart& part : parts) {
     const Forces forces = forces_of(part.forces);
     entry["parts"][part.name] = {{"energy", part.energy},
                                  {"force_sum", {forces.sum.x(), forces.sum.y(), forces.sum.z()}},
@@ -60,15 +69,15 @@ int energy_command(const ConfigArguments& configs, bool json) {
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"part", "energy (J)", "energy / B", "sum of forces (N)", "largest (N)"});
     Table table(std::move(headings));
-    bool leaves_out = false;
+    std::set<std::string> omitted;
     for (const RunConfig& config : experiment.runs) {
-      const Evaluated start = evaluated(config);
-      leaves_out |= start.leaves_out;
+      const std::vector<EnergyPart> parts = parts_of(config);
+      for (std::string& pointer : left_out(config.scene())) omitted.insert(std::move(pointer));
       if (json) {
-        print_text("{}\n", json_text(json_of(experiment, config, start)));
+        print_text("{}\n", json_text(json_of(experiment, config, parts)));
         continue;
       }
-      for (const EnergyPart& part : start.parts) {
+      for (const EnergyPart& part : parts) {
         const Forces forces = forces_of(part.forces);
         const auto& rigidity = config.scene().bending.flexural_rigidity;
         std::vector<std::string> cells = axis_cells(experiment, config);
@@ -82,8 +91,8 @@ int energy_command(const ConfigArguments& configs, bool json) {
     if (!json)
       print_text("{}: elastic energies and forces of the pose at the start\n\n{}\n", experiment.name,
                  table.text());
-    if (!json && leaves_out)
-      print_text("These are energies and forces at the stated stiffness, without {}\n\n", left_out);
+    if (!json && !omitted.empty())
+      print_text("The energies and forces leave out {}.\n\n", fmt::join(omitted, ", "));
   }
   return exit_ok;
 }

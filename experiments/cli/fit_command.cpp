@@ -57,7 +57,7 @@ int fit_command(const FitArguments& arguments, bool json) {
                 {"known", fitted.is_known()},
                 {"correlation", fitted.correlation},
                 {"settings", Json::object()}};
-  Table table({"setting", "value", "standard uncertainty", "change if the points move by 1 mm"});
+  Table table({"setting", "value", "standard uncertainty", "largest change if a specimen moves by 1 mm"});
   for (const FittedSetting& setting : fitted.settings) {
     entry["settings"][setting.pointer] = {
         {"value", setting.value},
@@ -78,17 +78,17 @@ int fit_command(const FitArguments& arguments, bool json) {
   else
     print_text(
         "{}\nThe measured points are {:.3g} mm from the cloth (root mean square), after {} simulations of "
-        "all "
-        "specimens.\n",
+        "all specimens.\n",
         table.text(), 1e3 * fitted.rms, fitted.evaluations);
   if (const auto misplaced = fitted.misplaced()) {
     const Vector3 move = 1e3 * fitted.moves[*misplaced];
     print_text(
         stderr,
-        "bendlab: the points of specimen {} probably have another origin than the mesh: after a move "
-        "by ({:.2g}, {:.2g}, {:.2g}) mm, the points are {:.2g} mm from the cloth instead of {:.2g} mm. "
-        "Check where the clamp is in the measured coordinates\n",
-        *misplaced + 1, move.x(), move.y(), move.z(), 1e3 * fitted.rms_if_moved, 1e3 * fitted.rms);
+        "bendlab: the points of specimen {} probably have another origin than the mesh. If the points "
+        "of every specimen may move, and the settings are fitted again, the distance falls from {:.2g} "
+        "to {:.2g} mm (root mean square), and this specimen moves by ({:.2g}, {:.2g}, {:.2g}) mm. Check "
+        "where the clamp is in the measured coordinates\n",
+        *misplaced + 1, 1e3 * fitted.rms, 1e3 * fitted.rms_if_moved, move.x(), move.y(), move.z());
   }
   if (fitted.is_known()) return exit_ok;
   std::vector<std::string> unknown;

@@ -158,14 +158,14 @@ VectorXd start_of(const FitProblem& problem) {
 struct Placement {
   VectorXd change_per_metre;   // of the logarithm of each setting, for the worst specimen and direction
   std::vector<Vector3> moves;  // m, of the points of each specimen, after which they fit best
-  double rms = infinity;       // m, of the distances after these moves, per degree of freedom
+  double rms = infinity;       // m, of the distances after these moves
 };
 
 // `slopes`: #points by #settings, the change of a point's distance with the logarithms of the settings. All
 // numbers are those of the problem made linear at the minimum.
 Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
                        const Eigen::MatrixXd& slopes) {
-  // Relative to the other directions: a direction that changes the distances less than this is not known.
+  // Directions that change the distances by less than this share of the largest change are ignored.
   constexpr double unknown = 0.03;
   const auto specimens = static_cast<Eigen::Index>(problem.shapes.size());
   Eigen::MatrixXd by_move = Eigen::MatrixXd::Zero(slopes.rows(), 3 * specimens);
@@ -183,7 +183,7 @@ Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
     return result.compute(matrix);
   };
   Placement placement{.change_per_metre = VectorXd::Zero(slopes.cols()), .moves = {}};
-  // All columns get the length of a move that changes every distance, so that they are comparable.
+  // Columns of settings get the size of columns of moves.
   VectorXd scale = slopes.colwise().norm().transpose() / std::sqrt(static_cast<double>(row));
   scale = (scale.array() > 0).select(scale, 1);
   const Eigen::MatrixXd scaled = slopes * scale.cwiseInverse().asDiagonal();
@@ -197,8 +197,9 @@ Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
         placement.change_per_metre.cwiseMax(changes.middleCols<3>(3 * s).rowwise().norm());
     placement.moves.emplace_back(best.segment<3>(slopes.cols() + 3 * s));
   }
-  if (row > solver.rank())
-    placement.rms = (distances + both * best).norm() / std::sqrt(static_cast<double>(row - solver.rank()));
+  // So many unknowns fit few points by chance.
+  if (row >= 3 * solver.rank())
+    placement.rms = (distances + both * best).norm() / std::sqrt(static_cast<double>(row));
   return placement;
 }
 

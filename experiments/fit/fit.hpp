@@ -47,7 +47,7 @@ struct Fitted {
   int evaluations = 0;     ///< simulations of all specimens
   double correlation = 0;  ///< of two settings, with its sign: the largest in absolute value
   /// For each specimen, the move of all its points after which they fit best, m, and the root mean square
-  /// distance after these moves, per degree of freedom; infinite if there are too few points.
+  /// distance after these moves; infinite if there are too few points.
   std::vector<Vector3> moves;
   double rms_if_moved = 0;
   /// The specimen whose points have to move farthest, if moves halve the distances; otherwise none. Such

@@ -78,7 +78,7 @@ std::vector<std::string> unread(const WarningInput& input, std::string_view deci
   if (std::ranges::any_of(input.experiment.axes,
                           [&](const Axis& axis) { return lies_within(decider, axis.first); }))
     return pointers;
-  // The resolved config keeps the laws of bending, such as /bending/softening, also without bending.
+  // The resolved config keeps the laws of bending, such as /bending/softening, even if the model does not bend.
   const bool no_bending = decider == "/bending/model" && !input.config.scene().bending.model.kind().bends;
   for (const Section& section : config_sections())
     for (const SettingRow& row : section.rows) {
@@ -137,14 +137,14 @@ Message inert_setting(const WarningInput& input) {
   for (const auto& [pointer, factors] :
        {std::pair{"/material/strain/over_time", &scene.material.strain.over_time},
         std::pair{"/bending/over_time", &scene.bending.over_time}})
-    if (is_chosen(input, pointer) && factors->is_given() && factors->is_always_1(scene.duration) &&
+    if (scene.solver.method.kind().has_motion && is_chosen(input, pointer) && factors->is_given() &&
+        factors->is_always_1(scene.duration) &&
         std::ranges::none_of(input.experiment.axes, [pointer = std::string_view(pointer)](const Axis& axis) {
           return lies_within(pointer, axis.first);
         }))
       return fmt::format(
-          "{} changes nothing here, because the factor is 1 until the end of the run, {:.3g} s: state "
-          "another "
-          "factor, remove it, or set a longer /duration",
+          "{0} changes nothing here, because the factor is 1 until the run ends at {1:.3g} s. Remove {0}, or "
+          "state another factor before this time",
           pointer, scene.duration);
   return std::nullopt;
 }

@@ -268,9 +268,9 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
                    "compliance": 1, "over_time": {"factors": [1, 1, 5], "times": )" +
                 times + "}}");
   };
-  CHECK_THAT(
-      message_of("inert_setting", over_time("[0, 1, 2]")),
-      ContainsSubstring("/bending/over_time changes nothing here, because the factor is 1 until the end"));
+  CHECK_THAT(message_of("inert_setting", over_time("[0, 1, 2]")),
+             ContainsSubstring(
+                 "/bending/over_time changes nothing here, because the factor is 1 until the run ends"));
   CHECK(codes_of(over_time("[0, 0.5, 2]")).empty());
 }
 

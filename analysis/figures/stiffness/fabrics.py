@@ -139,7 +139,7 @@ def loops(runs, section):
                         "bound": friction["hb"] / rigidity if friction else np.nan})
     if not rows:
         return
-    section.add_table("loop_areas", "Loops of moment over curvature", [
+    section.add_table("loop_areas", "Loops of moment over curvature, after the first bending, in which folds yield", [
         "strip", ("area", "area of the loop", ".4f", "N/m"), ("left", "curvature that is left", ".2f", "1/m"),
         ("bound", "HB/B", ".1f", "1/m")], summary)
     section.add_table("loops", "", ["strip", "part", ("time", "time", "", "s"),
@@ -228,6 +228,10 @@ def drapes(runs, curve, section):
                           np.nan)
     answer = (f"friction raises {COTTON} from {of(PLAIN):.1f} to {of(FRICTION):.1f} %, "
               f"measured {textile.FABRICS[COTTON][-1]} %")
+    farther = sum(row["law"] == FRICTION and abs(row["error"]) > abs(plain["error"]) for row in rows
+                  for plain in rows if (plain["fabric"], plain["law"]) == (row["fabric"], PLAIN))
+    if farther:
+        answer += f"; it moves {farther} of {len(textile.FABRICS)} fabrics away from the measurement"
     section.add_table(
         "drapes",
         "Drape with friction, and by direction (diameters: specimen 30 cm, table 18 cm): " + answer, [
