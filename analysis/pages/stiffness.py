@@ -94,8 +94,9 @@ FIGURES = [
            "not give the measured drape coefficients of all fabrics. Two possible causes are internal "
            "friction and the direction. The last table has the drape with friction, and by direction, "
            "validated as in the section before, but with mid_edge on a coarser mesh. A simulation with "
-           "friction leaves friction out of u_input; a simulation by direction leaves the direction out. u_num "
-           f"comes from the scatter over seeds and from meshes of {textile.COARSE} and {textile.USUAL} cells. "
+           "friction leaves friction out of u_input; a simulation by direction leaves the direction out. "
+           "u_num comes from the scatter over seeds and from meshes of "
+           f"{textile.COARSE} and {textile.USUAL} cells. "
            "If the config states no bias, the rigidity at 45° follows from warp and weft by Huber's formula "
            "for plates; the table has drapes with this bias, and with half of it."),
     Figure(napkin, "A disc that hangs over a round table", "Napkin",

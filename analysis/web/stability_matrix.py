@@ -40,8 +40,7 @@ FABRIC_SCENES = (
     "0.01 in the next second. map: B is 100 times as large in one half. The last law combines four of these "
     "laws.")
 NO_ENERGY = ("The energy is not checked here, because with friction, folds or a factor over time it does not "
-             "follow from the pose. So a cell may be green here and red in the sections before. All unstable runs "
-             "of quasi_newton are runs of mid_edge, which the section before does not have.")
+             "follow from the pose. So a cell may be green here and red in the sections before.")
 
 
 def shared(runs):
@@ -164,7 +163,9 @@ def methods_html(runs):
 
 def fabrics_html(runs):
     """The HTML of the section on bending laws, as methods_html()."""
-    return _columns_html(runs, "law", "combination of model and method", FABRIC_SCENES, NO_ENERGY)
+    unstable = {run["model"] for run in runs if (run["method"], run["verdict"]) == ("quasi_newton", RED)}
+    also = f" With quasi_newton, unstable: {', '.join(sorted(unstable))}." if unstable else ""
+    return _columns_html(runs, "law", "combination of model and method", FABRIC_SCENES, NO_ENERGY + also)
 
 
 def _columns_html(runs, column, others, scenes, also=""):

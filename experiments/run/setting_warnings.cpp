@@ -78,7 +78,7 @@ std::vector<std::string> unread(const WarningInput& input, std::string_view deci
   if (std::ranges::any_of(input.experiment.axes,
                           [&](const Axis& axis) { return lies_within(decider, axis.first); }))
     return pointers;
-  // The resolved config keeps the laws of bending, such as /bending/softening, even if the model does not bend.
+  // The resolved config keeps laws of bending, such as /bending/softening, even if the model does not bend.
   const bool no_bending = decider == "/bending/model" && !input.config.scene().bending.model.kind().bends;
   for (const Section& section : config_sections())
     for (const SettingRow& row : section.rows) {

@@ -95,6 +95,10 @@ shares = {model: [row["share"] for row in table("verification", "cells", model=m
 least = {name: min(column("verification", "levels", "least", name=name))
          for name in ("mid_edge", "dihedral", "discrete_shells")}
 
+laws = json.loads(read("stability/fabrics.json"))
+narrow = [row["share"] for model in ("discrete_shells", "prestressed")
+          for row in table("stiffness", "directions", model=model)]
+
 SMALL = "./bendlab run configs/stiffness/small_deflection.json, 2026-11-22"
 CUT = "./bendlab run configs/stability/time_step_cut_slow.json, 2026-11-22"
 REPRODUCE = "time ./bendlab reproduce, 2026-11-22"
@@ -146,6 +150,10 @@ STATED["lib/bendlab/solver/README.md"] = [
     ("its mean strain at 0.05", CUT), ("into 134 parts", CUT)]
 STATED["lib/python/README.md"] = [
     ("`quasi_newton` 4.1 times as long, and a step of `pbd` 24 times", "tests/python/cost.py, 2026-11-26")]
+STATED["configs/README.md"] = [
+    ("the stated rigidities within {:.1f} % on 42 cells",
+     100 * max(abs(row["share"] - 1) for row in table("stiffness", "directions", model="mid_edge"))),
+    ("up to {:.0f} times too soft or {:.1f} times", 1 / min(narrow), max(narrow))]
 STATED["experiments/README.md"] = [
     ("writes a checkpoint every 10 s", "run/run_control.hpp", "checkpoint_interval_s = 10;"),
     ("than 1 % of its time", "run/checkpoint.cpp", r"largest_share = 0\.01;"),
@@ -171,7 +179,7 @@ STATED["experiments/bench/README.md"] = [
     ("they leave {:.0f} to {:.0f} % more", min(colour_from_pins), max(colour_from_pins))]
 STATED["analysis/README.md"] = [
     ("takes about 24 minutes", REPRODUCE),
-    ("takes about 85 minutes", "./bendlab reproduce accuracy at a14a4092, 2026-11-27"),
+    ("takes about 55 minutes", "./bendlab reproduce accuracy at 8d6c50c2, 2026-11-28"),
     ("errors of 20, 5 and 1 %", "figures/accuracy/measures.py", r"LEVELS = \(20, 5, 1\)"),
     ("ten minutes at rest", "../configs/stability/rest_slow.json", '"duration": 600'),
     ("in all of {:.0f} comparisons, by {:.1f} to {:.0f} times", len(gains), min(gains), max(gains)),
@@ -185,6 +193,7 @@ STATED["analysis/README.md"] = [
      100 * nearest[ERROR] / paper[ERROR]),
     ("on {:.0f}² cells in {:.0f} substeps", nearest["cells"], nearest["settings"]["substeps"]),
     ("{:,.0f} runs, {:.0f} minutes of", len(rows("stability")), minutes["stability"]),
+    ("methods: {:.0f} judged runs, {:.0f} minutes", len(laws), sum(run["seconds"] for run in laws) / 60),
     ("makes {:,.0f} runs of plain scenes", len(rows("plain"))),
     ("in {:.0f} minutes of processor time, and checks", minutes["plain"]),
     ("counts {:.0f} runs that broke a bound", len(rows("plain", verdict="silent")))]

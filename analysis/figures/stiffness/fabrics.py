@@ -139,7 +139,7 @@ def loops(runs, section):
                         "bound": friction["hb"] / rigidity if friction else np.nan})
     if not rows:
         return
-    section.add_table("loop_areas", "Loops of moment over curvature, after the first bending, in which folds yield", [
+    section.add_table("loop_areas", "Loops of moment over curvature, after the first bending", [
         "strip", ("area", "area of the loop", ".4f", "N/m"), ("left", "curvature that is left", ".2f", "1/m"),
         ("bound", "HB/B", ".1f", "1/m")], summary)
     section.add_table("loops", "", ["strip", "part", ("time", "time", "", "s"),

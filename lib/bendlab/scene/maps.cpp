@@ -104,7 +104,8 @@ std::vector<double> factors_of(const MaterialMap& map, const Mesh& mesh, const R
     factors = values_of_property(map, mesh, rest, folder, pointer);
   } else if (ends_in(*map.file, ".png")) {
     if (!map.property.empty())
-      refuse_map(pointer + "/property", "is not read from a PNG image: remove this setting, or name a PLY file");
+      refuse_map(pointer + "/property",
+                 "is not read from a PNG image: remove this setting or name a PLY file");
     factors = values_of_image(map, rest, folder, pointer);
   } else {
     refuse_map(pointer + "/file", fmt::format("'{}' is neither a PLY file nor a PNG image", *map.file));
