@@ -176,6 +176,13 @@ class Fabrics(unittest.TestCase):
         end = lambda curvature: fabrics.cantilever(1, 3, curvature)[-1]
         np.testing.assert_allclose(end(fabrics.softening(1, 1e9)), end(fabrics.linear(1)), atol=1e-8)
         np.testing.assert_allclose(end(fabrics.table([1, 2], [1, 2])), end(fabrics.linear(1)), atol=1e-8)
+        # The curvature of a moment is the inverse of the moment of a curvature.
+        for k in (0.3, 5.0, 40.0):
+            self.assertAlmostEqual(fabrics.softening(2, 5)(2 * k / (1 + k / 5), 0), k)
+        table = fabrics.table([1, 3], [2, 4])  # slopes 2, then 1, which goes on
+        np.testing.assert_allclose([table(m, 0) for m in (1, 3, -3, 6)], (0.5, 2, -2, 5))
+        rubs = fabrics.friction(2, 1, 0.5)  # slope 2 + 1/0.5 up to κ = 0.5, then 2
+        np.testing.assert_allclose([rubs(m, 0) for m in (1, 2, 4, -4)], (0.25, 0.5, 1.5, -1.5))
         # Friction that is never overcome adds moment / slip to the rigidity.
         np.testing.assert_allclose(end(fabrics.friction(1, 100, 50)), end(fabrics.linear(3)), atol=1e-8)
 

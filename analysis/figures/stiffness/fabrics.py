@@ -130,11 +130,12 @@ def loops(runs, section):
             reached = (most / rigidity - (1 - fold["hardening"]) * fold["yield_at"]) / fold["hardening"]
             first = (1 - fold["hardening"]) * (reached - fold["yield_at"])
             peak = int(np.argmin(np.abs(times - load["times"][2])))
+            let_go = (load["times"][2] + load["times"][3]) / 2  # the moment is 0 on its way to the other side
             section.checks += [
                 strips.check(run, "curvature when the moment first reaches its maximum (1/m)", reached,
                              float(curvatures[peak]), 0.05, "M = B κy + h B (κ - κy)"),
-                strips.check(run, "curvature κ - M/B that would stay (1/m)", first,
-                             float(curvatures[peak] - moments[peak] / rigidity), 0.05, "(1 - h)(κ - κy)")]
+                strips.check(run, "curvature that stays without a moment (1/m)", first,
+                             float(np.interp(let_go, times, curvatures)), 0.05, "(1 - h)(κ - κy)")]
         summary.append({"strip": name, "area": area, "left": left,
                         "bound": friction["hb"] / rigidity if friction else np.nan})
     if not rows:

@@ -15,8 +15,9 @@ def main(results, out, section):
         own_runs.sort(key=strips.gravity)
         load, waves = theory(own_runs[0])
         found = [(strips.gravity(run), *wave(run)) for run in own_runs]
-        rows += [{"cells": strips.cells(own_runs[0]), "gravity": g, "over": g / load, "waves": n,
-                  "squared": 1e6 * amplitude**2, "sag": 1e3 * sag} for g, n, amplitude, sag in found]
+        rows += [{"cells": strips.cells(own_runs[0]), "gravity": g, "over": g / load,
+                  "waves": n if amplitude > FLAT * sag else np.nan, "squared": 1e6 * amplitude**2,
+                  "sag": 1e3 * sag} for g, n, amplitude, sag in found]
         wrinkled = [row for row in found if row[2] > FLAT * row[3]]
         measured = critical(wrinkled) if len(wrinkled) > 2 else np.nan
         run = own_runs[-1]
@@ -27,19 +28,22 @@ def main(results, out, section):
                 strips.check(run, "number of waves", waves, float(wrinkled[0][1]) if wrinkled else np.nan, 0,
                              "second variation", "absolute")]
         summary.append({"cells": strips.cells(run), "theory": load, "measured": measured,
-                        "error": 100 * (measured / load - 1)})
+                        "error": 100 * (measured / load - 1),
+                        "waves": wrinkled[0][1] if wrinkled else np.nan})
     if not rows:
         return
-    section.add_table("critical", "Load at which a clamped disc wrinkles", [
+    section.add_table("critical", "Gravity at which a clamped disc wrinkles", [
         ("cells", "cells along the radius"), ("theory", "theory", ".4f", "m/s²"),
         ("measured", "measured", ".4f", "m/s²"), ("error", "error", "+.1f", "%")], summary)
     section.add_table("napkin", "Waves at the rim", [
-        "cells", ("gravity", "gravity", "", "m/s²"), ("over", "gravity over the critical gravity", ".3f"),
-        ("waves", "number of waves"), ("squared", "(amplitude of the rim)²", ".4f", "mm²"),
+        "cells", ("gravity", "gravity", "", "m/s²"),
+        ("over", "gravity over the theoretical critical gravity", ".3f"),
+        ("waves", "number of waves"), ("squared", "squared amplitude of the rim", ".4f", "mm²"),
         ("sag", "mean sag of the rim", ".3f", "mm")], rows)
-    section.add_chart("napkin", f"The disc wrinkles at {100 * summary[-1]['measured'] / load:.1f} % of the "
-                      f"theoretical load, in {waves} waves", "over", ["squared"], ["cells"], scale="linear",
-                      y_scale="linear", look="",
+    finest = max(summary, key=lambda row: row["cells"])
+    section.add_chart("napkin", f"The disc wrinkles at {100 + finest['error']:.1f} % of the theoretical "
+                      f"gravity, in {finest['waves']:.0f} waves", "over", ["squared"], ["cells"],
+                      scale="linear", y_scale="linear", look="",
                       note="The squared amplitude grows from 0 at the critical load.")
 
 

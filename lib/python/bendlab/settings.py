@@ -199,6 +199,8 @@ def add_inner(cls, pointer):
         name = "Map" if last.endswith("_map") else class_name(last)
         if name not in INNER:
             INNER[name] = add_inner(make_class(name, [table]), below)
+        else:  # the class serves several parts, so their one meaning would be wrong
+            INNER[name].__doc__ = _class_documentation([table], f"Settings of {name}.")
         cls._inner[last] = INNER[name]
         part = Part(instance_of(INNER[name], f"{name}(…)"), table.meaning)
         part.__set_name__(cls, last)
