@@ -1,9 +1,12 @@
 // `bendlab fabrics`: lists the fabrics of the table, and reads measurements into settings of a config.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "bendlab/scene/fabric_files.hpp"
 #include "bendlab/scene/fabrics.hpp"
@@ -83,13 +86,17 @@ void warn_of_units(const Json& rigidity) {
 Json rigidity_of_kes(const FabricsArguments& arguments) {
   Json settings = {{"bending", {{"rigidity", Json::object()}}}};
   double friction = 0;
+  std::vector<std::string> of_direction;
   for (const auto& [direction, file] :
        {std::pair{"warp", arguments.kes_warp}, {"weft", arguments.kes_weft}}) {
     const BendingMeasurement measured = read_named(file, kes_bending);
     settings["bending"]["rigidity"][direction] = measured.rigidity;
     friction += measured.friction / 2;
+    of_direction.push_back(fmt::format("{:.3g} N along the {}", measured.friction, direction));
   }
   settings["bending"]["hysteresis"] = {{"hb", friction}};
+  print_text(stderr, "hb is the mean of the measured HB, {}: a sheet has one number for both directions\n",
+             fmt::join(of_direction, " and "));
   return settings;
 }
 

@@ -291,7 +291,9 @@ Fitted fit(const FitProblem& problem) {
   Fitted fitted{.settings = {}, .rms = rms, .evaluations = objective.evaluations};
   // A singular value that is no larger than the error of the simulations belongs to a combination of settings
   // that the points do not determine.
-  constexpr double rounding = 1e-4;
+  // Its variance is far above that of a setting that is known, but not so far that rounding errors of the
+  // combination reach other settings.
+  constexpr double rounding = 1e-4, undetermined = 1e6;
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(slopes, Eigen::ComputeThinU | Eigen::ComputeThinV);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
@@ -299,7 +301,7 @@ Fitted fit(const FitProblem& problem) {
     const VectorXd along = svd.matrixV().col(k);
     const double variance = value > rounding * svd.singularValues()(0) && value > 0
                                 ? sigma * sigma / (value * value)
-                                : std::numeric_limits<double>::max();
+                                : undetermined;
     covariance += variance * along * along.transpose();
   }
   const Placement placement = placement_of(problem, at_best, slopes);
@@ -307,10 +309,10 @@ Fitted fit(const FitProblem& problem) {
   for (Eigen::Index i = 0; i < count; ++i) {
     const double variance = covariance(i, i);
     fitted.settings.push_back({problem.pointers[static_cast<std::size_t>(i)], std::exp(best(i)),
-                               variance < 1e12 ? std::sqrt(variance) : infinity,
+                               variance < 1e-3 * undetermined ? std::sqrt(variance) : infinity,
                                placement.change_per_metre(i)});
     for (Eigen::Index j = 0; j < i; ++j)
-      if (const double c = covariance(i, j) / std::sqrt(covariance(i, i) * covariance(j, j));
+      if (const double c = covariance(i, j) / std::sqrt(covariance(i, i)) / std::sqrt(covariance(j, j));
           std::abs(c) > std::abs(fitted.correlation))
         fitted.correlation = c;
   }

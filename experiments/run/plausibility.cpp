@@ -107,8 +107,8 @@ Plausibility::Plausibility(const BuiltScene& scene)
 
 void Plausibility::find_what_drives() {
   const SimulationInput& input = scene_.input;
-  driven_ = std::ranges::any_of(scene_.effects, does_work) || input.strain_schedule.is_given() ||
-            input.bending_schedule.is_given();
+  driven_ = std::ranges::any_of(scene_.effects, does_work) || input.strain_schedule.rises() ||
+            input.bending_schedule.rises();
   free_ =
       scene_.pins.all.empty() && scene_.pins.held.empty() && scene_.input.method.kind().keeps_momentum &&
       std::ranges::all_of(scene_.effects, [](const Effect& effect) { return effect.kind().keeps_momentum; });

@@ -84,8 +84,8 @@ Message mixed_sides(const WarningInput& input) {
   const double share = static_cast<double>(mixed) / static_cast<double>(shared);
   return WarningText(
       fmt::format(
-          "{} acts in opposite directions on triangles that face different sides, as those at {} of {} "
-          "edges do. Set /mesh/bad_triangles to repair, which turns triangles so that all "
+          "{} needs triangles that all face the same side, but those at {} of {} edges face different sides. "
+          "Set /mesh/bad_triangles to repair, which turns triangles so that all "
           "face the same side, or turn their normals in an editor",
           who, mixed, shared),
       share, fmt::format("{:.0f} %", 100 * share));
@@ -270,7 +270,7 @@ Message fabric_without_friction(const WarningInput& input) {
   if (scene.bending.stiffness != Stiffness::physical)
     return WarningText(
         fmt::format("the run takes the density of {}, but not its rigidity: /bending/stiffness is "
-                    "not physical. Remove /bending/stiffness to have the rigidity",
+                    "not physical. Set /bending/stiffness to physical to have the rigidity",
                     fabric->name),
         0, "");
   const BendingKind& model = scene.bending.model.kind();

@@ -87,7 +87,9 @@ TEST_CASE("a fit refuses what the points cannot determine, also if they are exac
   problem.shapes.push_back(shape_of(strip(coarse, exact, 1)));
   // The shape of a strip depends on B over density alone.
   problem.pointers = {"/material/density", "/bending/flexural_rigidity"};
-  CHECK(!fit(problem).is_known());
+  const Fitted both = fit(problem);
+  CHECK(!both.is_known());
+  CHECK_THAT(both.correlation, WithinRel(1, 1e-3));  // only their ratio is known
   problem.pointers = {"/bending/flexural_rigidity"};
   problem.runs.front() =
       run_of(strip(coarse, R"({"model": "discrete_shells", "flexural_rigidity": 5e-8})", 1));

@@ -208,6 +208,8 @@ TEST_CASE("plausible: keyframes of a stiffness may add energy", "[plausibility]"
     return after(scene, 0.3, scene.input.positions, velocities);
   };
   CHECK(broken(""));
+  CHECK(broken(R"(, "over_time": {"times": [0, 0.3], "factors": [1, 1]})"));
+  CHECK(broken(R"(, "over_time": {"times": [0, 0.3], "factors": [1, 0.1]})"));  // takes energy away
   CHECK_FALSE(broken(R"(, "over_time": {"times": [0, 0.3], "factors": [1, 1000]})"));
 }
 

@@ -60,7 +60,9 @@ BendLengths lengths_of(const ElementList<Kind>& list, std::size_t c, const Bendi
   if constexpr (std::is_same_v<Kind, HingeAngle>) {
     return lengths_of_hinge(list.vertices[c], input, value_per_angle(list.law, list.rest[c]));
   } else if constexpr (std::is_same_v<Kind, QuadraticBend>) {
-    return lengths_of_hinge(list.vertices[c], input, list.rest[c][5]);  // |Kx| = 2 |e| sin(θ/2)
+    // |Kx| = 2 |e| sin(θ/2), so its slope is |e| cos(θ/2).
+    const double edge = list.rest[c][5], sine = list.rest[c][4] / (2 * edge);
+    return lengths_of_hinge(list.vertices[c], input, edge * std::sqrt(std::max(0.0, 1 - sine * sine)));
   } else if constexpr (std::is_same_v<Kind, LaplacianBend>) {
     const double area = std::pow(list.rest[c][LaplacianBend::arity + 1], 2);  // |Kx| is the curvature times A
     return {area, area};

@@ -38,8 +38,9 @@ struct MomentTarget {
 /// Models of triangles have the stated moments in every direction. Hinges have them only in the mean over all
 /// directions: softening is right to the order κ², and the moments of friction and of plastic folds are right
 /// for curvatures far above the yield. If the rigidity depends on the direction, stated curvatures and
-/// moments are those of the mean rigidity; in the direction φ curvatures are divided, and moments multiplied,
-/// by √(D(φ) / mean of D).
+/// moments are those of the mean rigidity. In the direction φ of models of triangles, curvatures are divided,
+/// and moments multiplied, by √(D(φ) / mean of D). Hinges have the stated curvatures in all directions, so
+/// their moments vary as their rigidity does.
 void set_moments(BendingConstraints& constraints, const BendingInput& input, const MomentTarget& target);
 
 }  // namespace bendlab

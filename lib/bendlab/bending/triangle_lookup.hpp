@@ -44,7 +44,7 @@ class OverElements {
 
   bool all_one() const { return of_triangle_.empty(); }
 
-  /// Of a hinge: the mean of both triangles. Of a triangle that bends: its number. Of a ring around a vertex:
+  /// Of a hinge: the mean of both triangles. Of a triangle that bends: its value. Of a ring around a vertex:
   /// the mean over the vertex's triangles by area.
   template <class Kind>
   double operator()(const ElementList<Kind>& list, std::size_t c) const {

@@ -4,8 +4,7 @@
 //   linear      ψ = C² / 2α,   ψ' = C / α
 //   softening   ψ' = M(κ)/B · length / α, κ = |C| / length: the sheet has the moment M at the curvature κ
 //   yield       ψ' = |C| / α up to |C| = yield, then with the slope hardening / α. At the end of a step the
-//               rest values follow C. An element of a plastic fold so keeps a curvature, and an element of
-//               internal friction slides
+//               rest values follow C. So a plastic fold keeps a curvature, and internal friction slides
 //
 //        M |      .--------- softening             M |     .----------- yield, hardening 0
 //          |    .´                                   |    /|

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -17,6 +18,18 @@ namespace bendlab {
 struct Box {
   using Corner = Eigen::Array4f;
   Corner low = Corner::Constant(std::numeric_limits<float>::infinity()), high = -low;
+
+  /// A box that surely contains the point: its corners are rounded outward.
+  static Box around(const Vector3& point) {
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Box box;
+    box.low(3) = box.high(3) = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto x = static_cast<float>(point(axis));
+      box.low(axis) = std::nextafter(x, -infinity), box.high(axis) = std::nextafter(x, infinity);
+    }
+    return box;
+  }
 
   void include(const Box& other) { low = low.min(other.low), high = high.max(other.high); }
   bool empty() const { return !(low(0) <= high(0)); }

@@ -58,13 +58,12 @@ SurfaceValues::SurfaceValues(const std::filesystem::path& file, std::string_view
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
     Vector3 centre = Vector3::Zero();
     for (const std::int64_t v : soup.triangles[t]) {
-      if (v < 0 || v >= count || !is_finite(soup.points[static_cast<std::size_t>(v)]))
+      if (v < 0 || v >= count)
         refuse_map(MeshFileError::Kind::refused, file, fmt::format("face {} has no such point: {}", t, v));
+      if (!is_finite(soup.points[static_cast<std::size_t>(v)]))
+        refuse_map(MeshFileError::Kind::refused, file, fmt::format("point {} is not finite", v));
       centre += data_->point(v) / 3;
-      Box corner;
-      corner.low.head<3>() = corner.high.head<3>() = data_->point(v).cast<float>().array();
-      corner.low(3) = corner.high(3) = 0;
-      boxes[t].include(corner);
+      boxes[t].include(Box::around(data_->point(v)));
     }
     centres.row(static_cast<Eigen::Index>(t)) = centre.transpose();
   }

@@ -20,7 +20,8 @@ class Surface {
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh), tree_(centres(mesh)) {
     std::vector<Box> boxes(static_cast<std::size_t>(mesh.triangle_count()));
     for (std::size_t t = 0; t < boxes.size(); ++t)
-      for (const int v : mesh.triangles.row(static_cast<Eigen::Index>(t))) boxes[t].include(box_of(v));
+      for (const int v : mesh.triangles.row(static_cast<Eigen::Index>(t)))
+        boxes[t].include(Box::around(vertex(v)));
     tree_.renew(boxes);
   }
 
@@ -44,18 +45,6 @@ class Surface {
   }
 
   Vector3 vertex(int v) const { return mesh_.positions.row(v).transpose(); }
-
-  // A box in single precision that surely contains the vertex: the position is rounded outward.
-  Box box_of(int v) const {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Box box;
-    box.low(3) = box.high(3) = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto x = static_cast<float>(mesh_.positions(v, axis));
-      box.low(axis) = std::nextafter(x, -infinity), box.high(axis) = std::nextafter(x, infinity);
-    }
-    return box;
-  }
 
   const TriangleMesh& mesh_;
   BoxTree tree_;

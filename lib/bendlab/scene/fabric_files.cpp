@@ -132,8 +132,8 @@ std::vector<BendingLengths> astm_bending_lengths(const std::filesystem::path& fi
   std::map<std::string, std::vector<double>> overhangs;
   const std::string text = read_input_file(file);
   for_lines(text, [&](const std::vector<std::string_view>& words, int line) {
-    if (words.size() < 2) return;
-    const auto overhang = number_in(words[1]);
+    if (words.empty()) return;
+    const auto overhang = words.size() > 1 ? number_in(words[1]) : std::nullopt;
     if (!overhang && line == 1) return;  // titles of the columns
     if (words.size() > 2)
       throw std::invalid_argument(

@@ -18,7 +18,7 @@ struct BendingMeasurement {
 };
 
 /// A cycle of KES-FB2: two columns of numbers, the curvature in 1/cm and the moment per width in gf cm/cm,
-/// for example from 0 to 2.5, to -2.5 and back. Lines that do not begin with a number are skipped. B is the
+/// for example from 0 to 2.5, to -2.5 and back. Lines before the first number are titles. B is the
 /// slope between 0.5 and 1.5 /cm, the mean of both sides and of bending and unbending; 2HB is the difference
 /// of the moments of bending and unbending at 1 /cm, the mean of both sides. Throws std::invalid_argument if
 /// the file has no such curve.

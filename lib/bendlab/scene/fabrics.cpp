@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace bendlab {
 namespace {
@@ -84,7 +85,13 @@ void apply_fabric(const Fabric& fabric, Scene& scene) {
     bending.flexural_rigidity = orthotropic_rigidity(fabric.warp, fabric.weft, fabric.bias, 0).mean();
   else
     bending.rigidity = {fabric.warp, fabric.weft, fabric.bias};
-  if (fabric.half_at > 0 && model.softens) bending.softening.half_at = fabric.half_at;
+  if (fabric.half_at > 0 && model.softens) {
+    // Measured along the warp. In models of triangles, /bending/softening/half_at is that of the mean
+    // rigidity, which is divided by √(D / mean) in each direction. Hinges soften at the same curvature in all
+    // directions.
+    const OrthotropicRigidity d = orthotropic_rigidity(fabric.warp, fabric.weft, fabric.bias, 0);
+    bending.softening.half_at = fabric.half_at * (model.takes_directions ? std::sqrt(d.warp / d.mean()) : 1);
+  }
   if (fabric.friction > 0 && model.yields && scene.solver.method.kind().has_motion)
     bending.hysteresis.hb = fabric.friction;
 }

@@ -126,10 +126,13 @@ void check_directions(const Scene& scene, ConfigProblems& problems) {
   const Strain& strain = scene.material.strain;
   if (!strain.membrane.is_given() || strain.stiffness != Stiffness::physical) return;
   need_both("/material/strain/membrane", strain.membrane);
-  if (scene.material.youngs_modulus || strain.form == StrainForm::stvk)
+  if (scene.material.youngs_modulus)
     report("/material/strain/membrane",
-           "cannot be combined with the isotropic form stvk, nor with /material/youngs_modulus: set "
-           "/material/strain/form to angle or green, or remove this setting");
+           "cannot be combined with /material/youngs_modulus: remove one of these settings");
+  else if (strain.form == StrainForm::stvk)
+    report("/material/strain/membrane",
+           "cannot be combined with the isotropic form stvk: set /material/strain/form to angle or green, or "
+           "remove this setting");
   if (scene.solver.method.kind().membrane == Membrane::edges)
     report("/material/strain/membrane",
            fmt::format("needs a membrane of triangles, but {} has springs along the edges: choose another "

@@ -503,7 +503,8 @@ constexpr std::array initial = {
               .meaning = "The cloth starts at rest where an earlier run ends. The earlier run has the "
                          "settings of this run with these changes, each of the form \"/json/pointer=value\". "
                          "The earlier run may have another method, for example, or a coarser mesh of the "
-                         "same flat sheet. The earlier run is not recorded"}),
+                         "same flat sheet. The earlier run is not recorded. Only the shape is taken over: "
+                         "internal friction and folds that stay begin anew"}),
 };
 
 // The same settings for /mesh/surface and /initial/surface.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,12 @@ struct Schedule {
     if (next == times.size()) return factors.back();
     const double share = (time - times[next - 1]) / (times[next] - times[next - 1]);
     return factors[next - 1] + share * (factors[next] - factors[next - 1]);
+  }
+
+  /// Whether the factor is ever above its earlier value, or above 1 at the start.
+  bool rises() const {
+    return std::ranges::adjacent_find(factors, std::less{}) != factors.end() ||
+           (is_given() && factors.front() > 1);
   }
 
   /// Whether the factor is 1 from the start until `end`, s.
