@@ -1,6 +1,6 @@
 // Own elements: elements that a model of the program defines by a function, which evaluates many elements at
 // once. Own elements need no new kind, may have any number of vertices, and may have an energy instead of a
-// constraint. The kinds of kinds.hpp have kernels and are 10 to 100 times faster than own elements.
+// constraint. The kinds of kinds.hpp have kernels, which are faster.
 #pragma once
 
 #include <memory>

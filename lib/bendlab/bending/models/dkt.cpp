@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <unsupported/Eigen/AutoDiff>
 
 #include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_faces.hpp"
@@ -13,140 +12,169 @@ namespace bendlab {
 namespace {
 
 constexpr std::size_t arity = 6;  // three vertices, then their normals
-using Number = Eigen::AutoDiffScalar<Eigen::Matrix<double, 3 * arity, 1>>;
-template <class Scalar>
-using Vec = Eigen::Matrix<Scalar, 3, 1>;
+using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-// The second fundamental form of the triangle at the point with barycentric coordinates (1 - s - t, s, t), in
-// the basis of its two edges from corner 0: b11, b12, b22. `normal` has the unit normals at the vertices.
-// Normals are quadratic over the triangle. At the middle of an edge, the part along the edge is such that the
-// edge bends as a cubic curve, and the part across it is the mean of both ends.
-template <class Scalar>
-Vec<Scalar> second_form(const std::array<Vec<Scalar>, 3>& v, const std::array<Vec<Scalar>, 3>& normal,
-                        double s, double t) {
-  const std::array<Eigen::Vector2d, 6> slope = {Eigen::Vector2d(-3 + 4 * s + 4 * t, -3 + 4 * s + 4 * t),
-                                                Eigen::Vector2d(4 * s - 1, 0),
-                                                Eigen::Vector2d(0, 4 * t - 1),
-                                                Eigen::Vector2d(4 * t, 4 * s),
-                                                Eigen::Vector2d(-4 * t, 4 * (1 - s - 2 * t)),
-                                                Eigen::Vector2d(4 * (1 - 2 * s - t), -4 * s)};
-  const Vec<Scalar> e1 = v[1] - v[0], e2 = v[2] - v[0], face = e1.cross(e2).normalized();
-  std::array<Vec<Scalar>, 6> n;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    n[i] = normal[i];
-    const Vec<Scalar> along = (v[k] - v[j]).normalized(), across = face.cross(along),
-                      sum = normal[j] + normal[k];
-    n[3 + i] = across * (Scalar(0.5) * across.dot(sum)) - along * (Scalar(0.25) * along.dot(sum));
+// Normals are quadratic over the triangle, with values at its corners and then at the middles of the edges
+// opposite to them. #q by 6: the derivatives of the shape functions along the edges from corner 0, at the
+// three points of the quadrature.
+struct Slopes {
+  std::array<Vector6, 3> s, t;
+  Slopes() {
+    constexpr std::array<std::array<double, 2>, 3> points = {
+        {{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}}};
+    for (std::size_t q = 0; q < 3; ++q) {
+      const auto [x, y] = points[q];
+      s[q] << -3 + 4 * x + 4 * y, 4 * x - 1, 0, 4 * y, -4 * y, 4 * (1 - 2 * x - y);
+      t[q] << -3 + 4 * x + 4 * y, 0, 4 * y - 1, 4 * x, 4 * (1 - x - 2 * y), -4 * x;
+    }
   }
-  Vec<Scalar> b = Vec<Scalar>::Zero();
-  for (std::size_t i = 0; i < 6; ++i) {
-    b(0) += Scalar(slope[i].x()) * e1.dot(n[i]);
-    b(1) += Scalar(0.5 * slope[i].y()) * e1.dot(n[i]) + Scalar(0.5 * slope[i].x()) * e2.dot(n[i]);
-    b(2) += Scalar(slope[i].y()) * e2.dot(n[i]);
-  }
-  return b;
-}
+};
+const Slopes slopes;
 
-constexpr std::array<std::array<double, 2>, 3> quadrature = {
-    {{1. / 6, 1. / 6}, {2. / 3, 1. / 6}, {1. / 6, 2. / 3}}};
+// The edge opposite to each corner, as a sum of the two edges from corner 0.
+const std::array<Eigen::Vector2d, 3> opposite = {Eigen::Vector2d(-1, 1), Eigen::Vector2d(0, 1),
+                                                 Eigen::Vector2d(1, 0)};
+
+// A triangle with unit normals at its corners. At the middle of an edge, the part of the normal along the
+// edge is such that the edge bends as a cubic curve, and the part across it is the mean of both ends.
+struct Shape {
+  Eigen::Matrix<double, 3, 2> edges;   // from corner 0
+  Eigen::Matrix3d normals;             // unit, a column for each corner
+  Eigen::Matrix2d metric;              // products of edges
+  Eigen::Matrix<double, 2, 6> slants;  // products of both edges with the normals at corners and middles
+  std::array<double, 3> sum_along;     // of an edge: product with the normals at both ends
+  Eigen::Matrix<double, 2, 3> along;   // of both edges: the part along an edge, over that edge's length
+
+  Shape(const std::array<Vector3, 3>& v, const Eigen::Matrix3d& unit) : normals(unit) {
+    edges << v[1] - v[0], v[2] - v[0];
+    metric = edges.transpose() * edges;
+    slants.leftCols<3>() = edges.transpose() * normals;
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector2d& edge = opposite[static_cast<std::size_t>(i)];
+      const Eigen::Vector2d sum = slants.col((i + 1) % 3) + slants.col((i + 2) % 3);
+      const Eigen::Vector2d part = metric * edge;
+      along.col(i) = part / edge.dot(part);
+      sum_along[static_cast<std::size_t>(i)] = edge.dot(sum);
+      slants.col(3 + i) = 0.5 * sum - 0.75 * edge.dot(sum) * along.col(i);
+    }
+  }
+
+  // The second fundamental form at a point of the quadrature, in the basis of the edges: b11, b12, b22.
+  Vector3 form(std::size_t q) const {
+    const Vector6 &s = slopes.s[q], &t = slopes.t[q];
+    return {slants.row(0).dot(s), 0.5 * (slants.row(0).dot(t) + slants.row(1).dot(s)), slants.row(1).dot(t)};
+  }
+
+  // From the derivatives by `slants` to those by edges and unit normals.
+  void pull_back(Eigen::Matrix<double, 2, 6>& by_slants, Eigen::Matrix<double, 3, 2>& by_edges,
+                 Eigen::Matrix3d& by_normals) const {
+    Eigen::Matrix2d by_metric = Eigen::Matrix2d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const Eigen::Vector2d& edge = opposite[static_cast<std::size_t>(i)];
+      const Eigen::Vector2d middle = by_slants.col(3 + i);
+      const Eigen::Vector2d by_sum = 0.5 * middle - 0.75 * middle.dot(along.col(i)) * edge;
+      by_slants.col((i + 1) % 3) += by_sum;
+      by_slants.col((i + 2) % 3) += by_sum;
+      const Eigen::Vector2d by_along = -0.75 * sum_along[static_cast<std::size_t>(i)] * middle;
+      by_metric +=
+          (by_along - by_along.dot(along.col(i)) * edge) / edge.dot(metric * edge) * edge.transpose();
+    }
+    by_edges = edges * (by_metric + by_metric.transpose()) + normals * by_slants.leftCols<3>().transpose();
+    by_normals = edges * by_slants.leftCols<3>();
+  }
+};
 
 struct Triangle {
-  Eigen::Matrix2d inverse;  // of the two edges in the rest triangle's plane, 1/m; the x axis is the warp,
-                            // if the rigidity depends on the direction
-  std::array<Eigen::Vector3d, 3> rest_form{};  // b at the points of the quadrature
-  double area;                                 // m²
-  std::array<double, 3> length;                // of a normal, m
+  Eigen::Matrix3d rigidity;            // κᵀ D κ of a form b is bᵀ times this times b, for 1 N m
+  std::array<Vector3, 3> rest_form{};  // b at the points of the quadrature
+  double area;                         // m²
+  std::array<double, 3> length;        // of a normal, m
 };
 
-// Twice the energy per area of a curvature, for a flexural rigidity of 1 N m (its mean over the directions).
-class RelativeRigidity {
- public:
-  explicit RelativeRigidity(const BendingInput& input) : poisson_ratio_(input.poisson_ratio) {
-    if (input.directed == nullptr) return;
-    const OrthotropicRigidity& stated = input.directed->rigidity;
-    const double mean = stated.mean();
-    directed_ = {stated.warp / mean, stated.weft / mean, stated.coupling / mean, stated.twist / mean};
-  }
+// D for a flexural rigidity of 1 N m, which is its mean over the directions.
+OrthotropicRigidity relative_rigidity(const BendingInput& input) {
+  if (input.directed == nullptr) return {1, 1, input.poisson_ratio, 0.5 * (1 - input.poisson_ratio)};
+  const OrthotropicRigidity& stated = input.directed->rigidity;
+  const double mean = stated.mean();
+  return {stated.warp / mean, stated.weft / mean, stated.coupling / mean, stated.twist / mean};
+}
 
-  template <class Scalar>
-  Scalar operator()(const Eigen::Matrix<Scalar, 2, 2>& k) const {
-    if (directed_)
-      return Scalar(directed_->warp) * k(0, 0) * k(0, 0) + Scalar(directed_->weft) * k(1, 1) * k(1, 1) +
-             Scalar(2 * directed_->coupling) * k(0, 0) * k(1, 1) +
-             Scalar(4 * directed_->twist) * k(0, 1) * k(0, 1);
-    const Scalar trace = k(0, 0) + k(1, 1);
-    return Scalar(1 - poisson_ratio_) * k.squaredNorm() + Scalar(poisson_ratio_) * trace * trace;
-  }
+// `edges`: the two edges from corner 0, as columns along warp and weft, or along any two perpendicular axes
+// if the rigidity does not depend on the direction.
+Eigen::Matrix3d rigidity_of_forms(const OrthotropicRigidity& rigidity, const Eigen::Matrix2d& edges) {
+  const Eigen::Matrix2d i = edges.inverse();
+  Eigen::Matrix3d curvature;  // of the forms (1, 0, 0), (0, 1, 0) and (0, 0, 1)
+  curvature << i(0, 0) * i(0, 0), 2 * i(0, 0) * i(1, 0), i(1, 0) * i(1, 0),  //
+      i(0, 1) * i(0, 1), 2 * i(0, 1) * i(1, 1), i(1, 1) * i(1, 1),           //
+      2 * i(0, 0) * i(0, 1), 2 * (i(0, 0) * i(1, 1) + i(1, 0) * i(0, 1)), 2 * i(1, 0) * i(1, 1);
+  Eigen::Matrix3d result;
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) result(a, b) = rigidity.product(curvature.col(a), curvature.col(b));
+  return result;
+}
 
- private:
-  double poisson_ratio_;
-  std::optional<OrthotropicRigidity> directed_;
-};
+std::array<Vector3, 3> points_at(const double* corners) {
+  return {Eigen::Map<const Vector3>(corners), Eigen::Map<const Vector3>(corners + 3),
+          Eigen::Map<const Vector3>(corners + 6)};
+}
 
-// U of a triangle, for a flexural rigidity of 1 N m. A normal of another length than at rest has an energy,
-// too, so that its length is determined.
-template <class Scalar>
-Scalar energy_of(const Triangle& triangle, const RelativeRigidity& rigidity,
-                 const std::array<Vec<Scalar>, arity>& p) {
-  std::array<Vec<Scalar>, 3> v, normal;
-  Scalar sum(0);
-  for (std::size_t i = 0; i < 3; ++i) {
-    v[i] = p[i];
-    const Scalar length = p[3 + i].norm();
-    normal[i] = p[3 + i] / length;
-    const Scalar stretch = length / Scalar(triangle.length[i]) - Scalar(1);
-    sum += Scalar(0.5) * stretch * stretch;
-  }
+// U of a triangle, for a flexural rigidity of 1 N m, and its gradient by the corners. A normal of another
+// length than at rest has an energy, too, so that its length is determined.
+double energy_of(const Triangle& triangle, const double* corners, double* gradient) {
+  const std::array<Vector3, 3> vectors = points_at(corners + 9);
+  Eigen::Matrix3d unit;
+  for (int i = 0; i < 3; ++i) unit.col(i) = vectors[static_cast<std::size_t>(i)].normalized();
+  const Shape shape(points_at(corners), unit);
+  double energy = 0;
+  Eigen::Matrix<double, 2, 6> by_slants = Eigen::Matrix<double, 2, 6>::Zero();
   for (std::size_t q = 0; q < 3; ++q) {
-    const Vec<Scalar> b = second_form<Scalar>(v, normal, quadrature[q][0], quadrature[q][1]) -
-                          triangle.rest_form[q].template cast<Scalar>();
-    Eigen::Matrix<Scalar, 2, 2> form;
-    form << b(0), b(1), b(1), b(2);
-    const Eigen::Matrix<Scalar, 2, 2> inverse = triangle.inverse.template cast<Scalar>();
-    const Eigen::Matrix<Scalar, 2, 2> k = inverse.transpose() * form * inverse;
-    sum += Scalar(0.5 * triangle.area / 3) * rigidity(k);
+    const Vector3 change = shape.form(q) - triangle.rest_form[q],
+                  moment = triangle.area / 3 * (triangle.rigidity * change);
+    energy += 0.5 * moment.dot(change);
+    by_slants.row(0) += moment(0) * slopes.s[q].transpose() + 0.5 * moment(1) * slopes.t[q].transpose();
+    by_slants.row(1) += 0.5 * moment(1) * slopes.s[q].transpose() + moment(2) * slopes.t[q].transpose();
   }
-  return sum;
+  Eigen::Matrix<double, 3, 2> by_edges;
+  Eigen::Matrix3d by_normals;
+  shape.pull_back(by_slants, by_edges, by_normals);
+  Eigen::Map<Eigen::Matrix<double, 3, 6>> by_corners(gradient);
+  by_corners.col(0) = -by_edges.col(0) - by_edges.col(1);
+  by_corners.middleCols<2>(1) = by_edges;
+  for (int i = 0; i < 3; ++i) {
+    const double length = vectors[static_cast<std::size_t>(i)].norm(),
+                 rest = triangle.length[static_cast<std::size_t>(i)], stretch = length / rest - 1;
+    const Vector3 n = unit.col(i), slope = by_normals.col(i);
+    energy += 0.5 * stretch * stretch;
+    by_corners.col(3 + i) = (slope - slope.dot(n) * n) / length + stretch / rest * n;
+  }
+  return energy;
 }
 
 class Function final : public ElementFunction {
  public:
-  Function(std::vector<Triangle> triangles, const RelativeRigidity& rigidity)
-      : triangles_(std::move(triangles)), rigidity_(rigidity) {}
+  explicit Function(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {}
 
   std::string_view name() const override { return "dkt"; }
   bool is_energy() const override { return true; }
   void evaluate(std::span<const int> which, std::span<const double> corners, std::span<double> values,
                 std::span<double> gradients) const override {
-    for (std::size_t i = 0; i < which.size(); ++i) {
-      std::array<Vec<Number>, arity> p;
-      const std::size_t first = 3 * arity * i;
-      for (std::size_t k = 0; k < 3 * arity; ++k)
-        p[k / 3](static_cast<Eigen::Index>(k % 3)) =
-            Number(corners[first + k], 3 * arity, static_cast<int>(k));
-      const Number energy = energy_of(triangles_[static_cast<std::size_t>(which[i])], rigidity_, p);
-      values[i] = energy.value();
-      for (std::size_t k = 0; k < 3 * arity; ++k)
-        gradients[first + k] = energy.derivatives()(static_cast<Eigen::Index>(k));
-    }
+    for (std::size_t i = 0; i < which.size(); ++i)
+      values[i] = energy_of(triangles_[static_cast<std::size_t>(which[i])], &corners[3 * arity * i],
+                            &gradients[3 * arity * i]);
   }
   /// Makes the shape with these corners (#T by 6 by 3) the rest shape.
   void rest_at(std::span<const double> corners) {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      std::array<Vector3, 3> v, normal;
-      for (std::size_t i = 0; i < 3; ++i) {
-        v[i] = Eigen::Map<const Vector3>(&corners[3 * (arity * t + i)]);
-        normal[i] = Eigen::Map<const Vector3>(&corners[3 * (arity * t + 3 + i)]).normalized();
-      }
-      for (std::size_t q = 0; q < 3; ++q)
-        triangles_[t].rest_form[q] = second_form<double>(v, normal, quadrature[q][0], quadrature[q][1]);
+      const double* own = &corners[3 * arity * t];
+      Eigen::Matrix3d unit;
+      for (int i = 0; i < 3; ++i) unit.col(i) = points_at(own + 9)[static_cast<std::size_t>(i)].normalized();
+      const Shape shape(points_at(own), unit);
+      for (std::size_t q = 0; q < 3; ++q) triangles_[t].rest_form[q] = shape.form(q);
     }
   }
 
  private:
   std::vector<Triangle> triangles_;
-  RelativeRigidity rigidity_;
 };
 
 // A normal at every vertex: the mean of its triangles' normals, weighted by area, as long as the root of the
@@ -185,6 +213,7 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
   Directors& directors = constraints.directors = normals_of(input, faces);
   OwnElements& own = constraints.own;
   own.arity = arity, own.directors = 3;
+  const OrthotropicRigidity rigidity = relative_rigidity(input);
   std::vector<Triangle> triangles;
   for (const RestFace& face : faces) {
     if (std::ranges::all_of(face.vertices, [&](int v) { return input.pins.pinned(v); })) continue;
@@ -194,7 +223,7 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
                   y = is_directed ? Vector3(face.x.cross(face.y).cross(x)) : face.y;
     Eigen::Matrix2d edges;
     edges << (p[1] - p[0]).dot(x), (p[2] - p[0]).dot(x), (p[1] - p[0]).dot(y), (p[2] - p[0]).dot(y);
-    Triangle triangle{.inverse = edges.inverse(), .area = face.area, .length = {}};
+    Triangle triangle{.rigidity = rigidity_of_forms(rigidity, edges), .area = face.area, .length = {}};
     for (std::size_t i = 0; i < 3; ++i) {
       triangle.length[i] = directors.rest.row(face.vertices[i]).norm();
       own.vertices.push_back(face.vertices[i]);
@@ -203,7 +232,7 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
     triangles.push_back(triangle);
     own.softness.push_back(1);
   }
-  const auto function = std::make_shared<Function>(std::move(triangles), RelativeRigidity(input));
+  const auto function = std::make_shared<Function>(std::move(triangles));
   own.function = function;
   if (input.is_flat) return constraints;
   directors.rest = relaxed_directors(directors, constraints.elements, own, rest.positions(), directors.rest);
@@ -225,7 +254,8 @@ constinit const BendingKind Dkt::kind{
         "the middles of edges follow from cubic edges",
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
     .limits =
-        "10 to 100 times slower than models with kernels; a sheet of one triangle has no stiffness; needs "
+        "an iteration takes about 5 times as long as with hinges; a sheet of one triangle has no stiffness; "
+        "needs "
         "the method newton, quasi_newton or equilibrium, and triangles that all face the same side",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
