@@ -34,7 +34,8 @@ constexpr double padding = 1.3;      // of constraints, which kernels take in gr
 // Memory while the stiffness of pairs of vertices is fitted: `fitted` per pair, or, if larger, the sparse
 // factor of the bent sheet (`bent_sheet` per vertex minus `bent_sheet_less`).
 constexpr double bent_sheet = 3900, bent_sheet_less = 1e7, fitted = 190;
-constexpr double factor_of_scalars = 110, factor_of_blocks = 700;  // per vertex, times log2 of the vertices
+constexpr double factor_of_scalars = 110,
+                 factor_of_blocks = 700;  // per unknown block, times log2 of their count
 constexpr double levels_per_vertex = 330;
 constexpr double file = 36e3, small_file = 8e3;
 constexpr double file_per_vertex = 39, file_per_regular_vertex = 5.5;  // the rest pose is compressed
@@ -51,10 +52,11 @@ constexpr double set_up_per_constraint = 2e-7, bent_sheet_per_vertex = 2e-5, fit
 constexpr double frame_per_triangle = 1.2e-7;
 constexpr double vertex = 8e-9;              // in a substep, besides the effects
 constexpr double number = 1e-9;              // a projection, per number that the constraint keeps
-constexpr double factor_of_blocks = 3.2e-7;  // per vertex, times √V
+constexpr double factor_of_blocks = 3.2e-7;  // per block of three unknowns, times the root of their count
+constexpr double director = 1e-7;            // as `number`, per coordinate of a director
 // To find the Hessian of a constraint: per square of the count of numbers that it keeps. `own`: to evaluate
 // an element of dkt or of a user once, per corner.
-constexpr double hessian = 8e-8, own = 3.5e-6;
+constexpr double hessian = 8e-8, own = 1.5e-7;
 }  // namespace seconds
 
 struct Parts {
@@ -65,9 +67,16 @@ bool has_levels(const Method& method) {
   return method.kind().carries_stretch != nullptr && method.kind().carries_stretch(method.settings());
 }
 
-// The factor of a matrix has more entries if there are more constraints, or if constraints are longer.
+// The factor of a matrix has more entries if there are more constraints, or if constraints join more points,
+// or more distant points, than hinges do.
 double fill(const RunSize& size) {
-  return std::max(1.0, 0.35 * size.reach * std::cbrt(size.pairs / size.vertices));
+  constexpr double of_hinge = 4;  // vertices
+  return std::max({1.0, 0.35 * size.reach * std::cbrt(size.pairs / size.vertices), size.corners / of_hinge});
+}
+
+// The unknowns of the matrix, three to a block.
+double blocks_of(const RunSize& size) {
+  return size.vertices + size.directors / 3;
 }
 
 Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double) {
@@ -76,9 +85,11 @@ Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double)
   Parts parts{.mesh = size.vertices *
                       (bytes::per_vertex + (has_levels(solver.method) ? bytes::levels_per_vertex : 0)),
               .bending = size.list_bytes + size.numbers * bytes::padding * (in_double ? 6 : 4)};
-  const double factor = size.vertices * std::log2(size.vertices);
-  if (method.factorised == Factorised::scalars) parts.factor = factor * bytes::factor_of_scalars;
-  if (method.factorised == Factorised::blocks) parts.factor = factor * bytes::factor_of_blocks * fill(size);
+  const auto factor = [](double unknowns) { return unknowns * std::log2(unknowns); };
+  if (method.factorised == Factorised::scalars)
+    parts.factor = factor(size.vertices) * bytes::factor_of_scalars;
+  if (method.factorised == Factorised::blocks)
+    parts.factor = factor(blocks_of(size)) * bytes::factor_of_blocks * fill(size);
   if (config.scene().bending.stiffness != Stiffness::physical || size.pairs == 0) return parts;
   // The fit frees its memory before the solver factorises its matrix.
   const double fit =
@@ -158,12 +169,14 @@ double solver_seconds(const Scene& scene, const RunSize& size) {
       method.has_motion ? substeps * iterations_of(scene.solver) : equilibrium_iterations;
   const double of_hessian =
       size.constraints > 0 ? seconds::hessian * size.numbers * size.numbers / size.constraints : 0;
+  const double blocks = blocks_of(size);
   // The Hessian of an own element comes from its gradients at two places along each coordinate.
   const double iteration =
       method.factorised == Factorised::blocks
-          ? seconds::factor_of_blocks * size.vertices * std::sqrt(size.vertices) * fill(size) + of_hessian +
+          ? seconds::factor_of_blocks * blocks * std::sqrt(blocks) * fill(size) + of_hessian +
                 2 * coordinates * seconds::own * size.own
-          : method.cost * seconds::number * (size.triangles * strain_numbers + size.numbers) +
+          : method.cost * (seconds::number * (size.triangles * strain_numbers + size.numbers) +
+                           seconds::director * size.directors) +
                 seconds::own * size.own;
   double vertex = seconds::vertex;
   for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;

@@ -66,6 +66,7 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   const double weight = whole * whole * (is_sample ? stride : 1);
   const auto add = [&](std::span<const int> vertices, std::size_t bytes, std::size_t numbers) {
     size.constraints += weight;
+    size.corners += weight * static_cast<double>(vertices.size());
     size.list_bytes += weight * static_cast<double>(bytes);
     size.numbers += weight * static_cast<double>(numbers);
     if (vertices.size() != 2) return;
@@ -78,10 +79,15 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
       add(vertices, sizeof(vertices) + sizeof(list.rest[0]) + sizeof(double),
           Kind::arity + Kind::rest_values + 2);  // softness, multiplier
   });
+  size.directors =
+      whole * whole * static_cast<double>(built.directors.vertices.size()) * built.directors.coordinates;
   size.own = whole * whole * static_cast<double>(built.own.size() * built.own.arity);
   for (std::size_t c = 0; c < built.own.size(); ++c)
-    add(built.own.corners(c), built.own.arity * sizeof(int) + sizeof(double), built.own.arity + 2);
+    add(built.own.corners(c).first(built.own.arity -
+                                   built.own.directors),  // normals belong to their vertices
+        built.own.arity * sizeof(int) + sizeof(double), built.own.arity + 2);
   if (size.pairs > 0) size.reach /= size.pairs;
+  if (size.constraints > 0) size.corners /= size.constraints;
   return size;
 }
 
@@ -99,8 +105,9 @@ RunSize size_of(const Scene& scene, Mesh mesh) {
   // Extrapolates the effect of the border: in a patch of half the length, the border has twice the share of
   // all counts. In the whole mesh, the border has a smaller share than in the patch.
   if (smaller)
-    for (double RunSize::*amount : {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints,
-                                    &RunSize::pairs, &RunSize::list_bytes, &RunSize::own, &RunSize::numbers})
+    for (double RunSize::*amount :
+         {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints, &RunSize::pairs,
+          &RunSize::list_bytes, &RunSize::own, &RunSize::directors, &RunSize::numbers})
       *size.*amount += (1 - share) * (*size.*amount - *smaller.*amount);
   return *size;
 }

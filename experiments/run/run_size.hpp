@@ -16,8 +16,10 @@ struct RunSize {
   double constraints = 0;  ///< bending constraints
   double pairs = 0;        ///< bending constraints that join two vertices
   double reach = 0;        ///< mean length of these pairs, in mean edge lengths
+  double corners = 0;      ///< mean number of points of a constraint: vertices, and normals of edges
   double list_bytes = 0;   ///< memory of the constraint lists
   double own = 0;          ///< corners of elements of dkt, and of elements that a user wrote
+  double directors = 0;    ///< coordinates of unknowns besides the vertices, such as the normals of mid_edge
   double numbers = 0;      ///< count of indices and rest values that the solver keeps for all constraints
 };
 
