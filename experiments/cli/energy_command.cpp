@@ -34,6 +34,11 @@ std::vector<EnergyPart> parts_of(const RunConfig& config) {
   return energy_parts(scene.input, scene.input.positions);
 }
 
+// The flexural rigidity that the scene's bending follows, N m.
+std::optional<double> rigidity_of(const Scene& scene) {
+  return scene.bending.stiffness == Stiffness::physical ? scene.bending.flexural_rigidity : std::nullopt;
+}
+
 // The settings of the scene that its energies leave out.
 std::vector<std::string> left_out(const Scene& scene) {
   std::vector<std::string> pointers;
@@ -51,8 +56,7 @@ Json json_of(const Experiment& experiment, const RunConfig& config, const std::v
       {"name", experiment.name}, {"run", place_text(experiment, config)}, {"parts", Json::object()}};
   if (const std::vector<std::string> pointers = left_out(config.scene()); !pointers.empty())
     entry["left_out"] = pointers;
-  if (config.scene().bending.flexural_rigidity)
-    entry["flexural_rigidity"] = *config.scene().bending.flexural_rigidity;
+  if (const auto rigidity = rigidity_of(config.scene())) entry["flexural_rigidity"] = *rigidity;
   for (const EnergyPart& part : parts) {
     const Forces forces = forces_of(part.forces);
     entry["parts"][part.name] = {{"energy", part.energy},
@@ -79,7 +83,7 @@ int energy_command(const ConfigArguments& configs, bool json) {
       }
       for (const EnergyPart& part : parts) {
         const Forces forces = forces_of(part.forces);
-        const auto& rigidity = config.scene().bending.flexural_rigidity;
+        const std::optional<double> rigidity = rigidity_of(config.scene());
         std::vector<std::string> cells = axis_cells(experiment, config);
         cells.insert(cells.end(),
                      {part.name, format_number(part.energy),

@@ -20,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinRel;
 using nlohmann::json;
 
 using bendlab::test::Workplace;
@@ -211,6 +212,26 @@ TEST_CASE("The option --json prints an object per run with its settings and resu
     REQUIRE(here.run("show " + id) == 0);
     CHECK_THAT(here.out(), ContainsSubstring("summary") && ContainsSubstring("provenance"));
     CHECK(here.run("show results") == 2);  // ambiguous: there are two runs
+  }
+}
+
+TEST_CASE("The command energy states the energy of a pose, and divides it only by a rigidity that acts",
+          "[command line]") {
+  Workplace here;
+  // Half a cylinder of the radius 0.1 m and the length 0.1 m: ½ B π r h / r², on 32 cells within 5 %.
+  const double per_rigidity = 0.5 * 3.14159265 * 0.1 / 0.1;
+  const std::string pose = R"({"name": "pose", "mesh": {"width": 0.314159265, "height": 0.1, "cells": 32},
+      "pins": {"vertices": []}, "effects": [], "solver": {"method": "quasi_newton"},
+      "initial": {"surface": {"shape": "cylinder", "radius": 0.1}}, "bending": )";
+  here.write("stated.json", pose + R"({"model": "dkt", "flexural_rigidity": 2e-5}})");
+  here.write("compliance.json", pose + R"({"model": "dkt", "stiffness": "compliance", "compliance": 4e4}})");
+  for (const auto& [file, rigidity] :
+       {std::pair{"stated.json", 2e-5}, std::pair{"compliance.json", 2.5e-5}}) {
+    REQUIRE(here.run(std::string("energy --json ") + file) == 0);
+    const json run = json::parse(here.out());
+    CHECK_THAT(run.at("parts").at("dkt").at("energy").get<double>() / rigidity,
+               WithinRel(per_rigidity, 0.05));
+    CHECK(run.contains("flexural_rigidity") == (rigidity == 2e-5));
   }
 }
 
