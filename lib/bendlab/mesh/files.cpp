@@ -20,13 +20,6 @@ using Kind = MeshFileError::Kind;
   throw MeshFileError(kind, fmt::format("mesh file '{}': {}", path.string(), what));
 }
 
-std::string extension_of(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return extension;
-}
-
 std::string read_bytes(const std::filesystem::path& path) try {
   return read_input_file(path);
 } catch (const std::runtime_error& error) {
@@ -77,6 +70,13 @@ constexpr std::string_view ply_header =
     "element face {}\nproperty list uchar int vertex_indices\nend_header\n";
 
 }  // namespace
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
 
 PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   return parse_polygon_soup(path, read_bytes(path));

@@ -26,6 +26,9 @@ class MeshFileError : public std::runtime_error {
   Kind kind_;
 };
 
+/// The extension of a file with its dot, in lower case.
+std::string extension_of(const std::filesystem::path& path);
+
 /// Reads a file in the format of its extension (.obj, .ply, .off, .stl; upper or lower case), as text or
 /// binary. Polygons with more than three corners are cut into triangles (cut_polygon.hpp). The soup of an OBJ
 /// file has texture coordinates if the file has texture coordinates for all corners. STL files have no

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 
+#include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/surface_values.hpp"
 #include "bendlab/scene/strict_json.hpp"
 
@@ -21,11 +21,17 @@ constexpr std::array<std::array<double, 3>, 4> map_samples = {
   throw ConfigError("map", {{pointer, why}});
 }
 
-bool ends_in(const std::string& file, std::string_view extension) {
-  std::string end = file.size() < extension.size() ? "" : file.substr(file.size() - extension.size());
-  std::ranges::transform(end, end.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return end == extension;
+// #T: the mean over the samples of a triangle. `value`: (triangle, weights of its corners) → number.
+template <class Value>
+std::vector<double> means(const RestMesh& rest, const Value& value) {
+  std::vector<double> result;
+  for (int t = 0; t < rest.triangle_count(); ++t) {
+    double sum = 0;
+    for (const std::array<double, 3>& weights : map_samples)
+      sum += value(t, weights) / static_cast<double>(map_samples.size());
+    result.push_back(sum);
+  }
+  return result;
 }
 
 // #T: the value of a PLY property. Vertices are moved back to where they are in the mesh file.
@@ -36,21 +42,16 @@ std::vector<double> values_of_property(const MaterialMap& map, const Mesh& mesh,
   const auto in_file = [&](int v) -> Vector3 {
     return (named.row(v).transpose() - mesh.offset) / mesh.scale;
   };
-  std::vector<double> result;
   double farthest = 0;
   int where = 0;
-  for (int t = 0; t < rest.triangle_count(); ++t) {
-    double sum = 0;
-    for (const std::array<double, 3>& weight : map_samples) {
-      Vector3 place = Vector3::Zero();
-      for (int c = 0; c < 3; ++c)
-        place += weight[static_cast<std::size_t>(c)] * in_file(rest.triangles()(t, c));
-      const SurfaceValues::At at = values(place);
-      if (at.distance > farthest) farthest = at.distance, where = t;
-      sum += at.value / static_cast<double>(map_samples.size());
-    }
-    result.push_back(sum);
-  }
+  std::vector<double> result = means(rest, [&](int t, const std::array<double, 3>& weights) {
+    Vector3 place = Vector3::Zero();
+    for (int c = 0; c < 3; ++c)
+      place += weights[static_cast<std::size_t>(c)] * in_file(rest.triangles()(t, c));
+    const SurfaceValues::At at = values(place);
+    if (at.distance > farthest) farthest = at.distance, where = t;
+    return at.value;
+  });
   const double allowed = 0.1 * rest.mean_edge_length() / mesh.scale;
   if (farthest > allowed)
     refuse_map(
@@ -79,17 +80,11 @@ std::vector<double> values_of_image(const MaterialMap& map, const RestMesh& rest
     const auto p = named.row(rest.triangles()(t, c));
     return {(p(0) - low(0)) / extent(0), (p(1) - low(1)) / extent(1)};
   };
-  std::vector<double> result;
-  for (int t = 0; t < rest.triangle_count(); ++t) {
-    double sum = 0;
-    for (const std::array<double, 3>& weight : map_samples) {
-      Vector2 at = Vector2::Zero();
-      for (int c = 0; c < 3; ++c) at += weight[static_cast<std::size_t>(c)] * coordinate(t, c);
-      sum += image(at) / static_cast<double>(map_samples.size());
-    }
-    result.push_back(sum);
-  }
-  return result;
+  return means(rest, [&](int t, const std::array<double, 3>& weights) {
+    Vector2 at = Vector2::Zero();
+    for (int c = 0; c < 3; ++c) at += weights[static_cast<std::size_t>(c)] * coordinate(t, c);
+    return image(at);
+  });
 }
 
 }  // namespace
@@ -98,11 +93,12 @@ std::vector<double> factors_of(const MaterialMap& map, const Mesh& mesh, const R
                                const std::filesystem::path& folder, const std::string& pointer) {
   if (!map.file) return {};
   std::vector<double> factors;
-  if (ends_in(*map.file, ".ply")) {
+  const std::string extension = extension_of(*map.file);
+  if (extension == ".ply") {
     if (map.property.empty())
       refuse_map(pointer + "/property", "is missing: name the property of the PLY file that holds the map");
     factors = values_of_property(map, mesh, rest, folder, pointer);
-  } else if (ends_in(*map.file, ".png")) {
+  } else if (extension == ".png") {
     if (!map.property.empty())
       refuse_map(pointer + "/property",
                  "is not read from a PNG image: remove this setting or name a PLY file");
