@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/elastic_metric.hpp"
@@ -37,14 +38,15 @@ struct MethodCase {
 // The parts of /bending that a law adds to the rigidity, or has in its place.
 struct BendingLaw {
   const char *name, *settings;
+  bool of_moments = false;  // needs BendingKind::softens
 };
 constexpr std::array laws = {
     BendingLaw{"one_rigidity", R"("flexural_rigidity": 5e-5)"},
     BendingLaw{"direction", R"("rigidity": {"warp": 8e-5, "weft": 2e-5})"},
-    BendingLaw{"softening", R"("flexural_rigidity": 5e-5, "softening": {"half_at": 20})"},
-    BendingLaw{"friction", R"("flexural_rigidity": 5e-5, "hysteresis": {"hb": 1e-4})"},
+    BendingLaw{"softening", R"("flexural_rigidity": 5e-5, "softening": {"half_at": 20})", true},
+    BendingLaw{"friction", R"("flexural_rigidity": 5e-5, "hysteresis": {"hb": 1e-4})", true},
     BendingLaw{"folds_that_stay",
-               R"("flexural_rigidity": 5e-5, "plasticity": {"yield_at": 1, "hardening": 0.2})"},
+               R"("flexural_rigidity": 5e-5, "plasticity": {"yield_at": 1, "hardening": 0.2})", true},
     BendingLaw{"over_time",
                R"("flexural_rigidity": 5e-5, "over_time": {"times": [0, 1e3], "factors": [1, 2]})"}};
 
@@ -319,8 +321,11 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
   // The cost of a law is compared with that of one rigidity, so one small cloth is enough.
   const int small = options.quick ? 32 : 64;
   for (const char* method : {"pbd", "quasi_newton"})
-    for (const char* model : {"discrete_shells", "mid_edge"})
+    for (const std::string model : {"discrete_shells", "mid_edge", "dkt"})
       for (const BendingLaw& law : laws) {
+        const BendingKind& bending = *find_bending_model(model);
+        if (bending.needs_energy && method == std::string("pbd")) continue;
+        if (law.of_moments && !bending.softens) continue;
         const MethodCase kind{.method = method,
                               .cells = small,
                               .iterations = 10,
