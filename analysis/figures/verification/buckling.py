@@ -54,13 +54,19 @@ def deflection(run):
 
 def wrinkles(results, section):
     rows = []
-    for run in verified.runs_of(results, section, "wrinkles"):
+    for run in verified.runs_of(results, section, "wrinkles", "wrinkles_slow"):
         rigidity = run.get("/bending/flexural_rigidity")
         tension = run.get("/effects/0/force")[0] / run.get("/mesh/height")
         law = buckling.wrinkle_length(rigidity, tension, run.get("/mesh/width"))
         length, amplitude = wave(run)
         rows.append({"rigidity": rigidity, "cells": run.get("/mesh/cells"), "law": 1000 * law,
                      "length": 1000 * length, "share": length / law, "amplitude": 1e6 * amplitude})
+    rows.sort(key=lambda row: (row["rigidity"], row["cells"]))
+    most = max((row["cells"] for row in rows), default=0)
+    shares = [row["share"] for row in rows if row["cells"] == most and row["share"] == row["share"]]
+    if shares:
+        section.text += (f" On {most} cells, the wave lengths are {min(shares):.2f} to {max(shares):.2f} "
+                         "of this law.")
     section.add_table("wrinkles", "Wrinkles of a sheet of 0.25 m × 0.1 m that is pulled by 10⁴ N/m", [
         ("rigidity", "B", "", "N m"), ("cells", "cells along the sheet"),
         ("law", "2 √π (B/T)^¼ √L", ".1f", "mm"), ("length", "wave length", ".1f", "mm"),

@@ -13,9 +13,9 @@ load = lambda run: -run.get("/effects/0/acceleration")[2]
 
 def main(results, out, section):
     rows, charted = [], []
-    for config, more, name in (("strip_small", ["strip_small_dkt"], lambda run: "small deflection"),
-                               ("strip_large", [], lambda run: f"Γ = {load(run) * 16:.0f}")):
-        runs = verified.runs_of(results, section, config, *more)
+    for config, name in (("strip_small", lambda run: "small deflection"),
+                         ("strip_large", lambda run: f"Γ = {load(run) * 16:.0f}")):
+        runs = verified.runs_of(results, section, config)
         for (model, family, deflection), own in verified.by_model_and_family(runs, name).items():
             made = verified.converging(own, found, GIVEN[config])
             rows.append({"deflection": deflection, "model": model, "family": family} | made.cells())
