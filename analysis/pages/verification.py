@@ -87,8 +87,8 @@ def content(sections, out):
 
 
 def _rows(section):
-    """The rows with a verdict. A table without a title has rows of another table, for a chart."""
-    return [row for table in section.tables if table.title for row in table.rows if "verdict" in row]
+    """The rows with a verdict. A table without a caption has rows of another table, for a chart."""
+    return [row for table in section.tables if table.caption for row in table.rows if "verdict" in row]
 
 
 def _agreeing(section, rows):
