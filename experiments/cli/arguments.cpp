@@ -201,7 +201,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                   [&a] { return reproduce_command(a.options, a.reproduce); });
   add_shown(reproduce, "WHAT", a.reproduce.what,
             "everything: the paper, then its ablations, every model and the scenes; paper: only the figures "
-            "of the paper; stiffness: how stiff every model is, compared with theory; stability: in which "
+            "of the paper; verification: whether the program solves its equations, compared with exact "
+            "solutions; stiffness: how stiff every model is, compared with theory; stability: in which "
             "hard cases every model stays stable; accuracy: how much time accuracy costs; plain: whether "
             "plain scenes go wrong without a warning")
       ->check(CLI::IsMember(reproducible()));

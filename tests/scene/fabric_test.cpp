@@ -13,6 +13,7 @@
 
 #include "bendlab/scene/energy.hpp"
 #include "bendlab/scene/fabric_files.hpp"
+#include "bendlab/scene/maps.hpp"
 #include "bendlab/scene/scene_json.hpp"
 #include "bendlab/scene/simulate.hpp"
 #include "bendlab/settings/archive.hpp"
@@ -62,10 +63,14 @@ double curvature(const Cloth& cloth) {
   return 2 * (b - a).cross(c - a).norm() / ((b - a).norm() * (c - b).norm() * (a - c).norm());
 }
 
-fs::path folder() {
-  const fs::path path = fs::temp_directory_path() / ("bendlab fabric test " + std::to_string(::getpid()));
-  fs::create_directories(path);
-  return path;
+// A folder that is removed when the tests end.
+const fs::path& folder() {
+  static const struct Folder {
+    fs::path path = fs::temp_directory_path() / ("bendlab fabric test " + std::to_string(::getpid()));
+    Folder() { fs::create_directories(path); }
+    ~Folder() { fs::remove_all(path); }
+  } made;
+  return made.path;
 }
 
 void write(const fs::path& file, const std::string& text) {
@@ -409,6 +414,50 @@ TEST_CASE("an image lies on a sheet with its first row at the top", "[scene]") {
   CHECK_THAT(below / above, WithinAbs(1.45, 0.05));
   // The grey is linear between the pixels' centres and repeats at the border, so its mean is a half.
   CHECK_THAT(below + above, WithinRel(scene.material.density, 1e-3));
+}
+
+TEST_CASE("maps belong to the mesh file, also if the scene scales and moves it", "[scene]") {
+  // A square of 100 mm. The property grows from 1 to 3 along x, the image along its texture's v axis. Both
+  // are linear, so a triangle's mean is the value at its centre.
+  const std::string points = "0 0 0\n100 0 0\n100 100 0\n0 100 0\n";
+  const fs::path painted = folder() / "painted.ply", mesh = folder() / "square.obj",
+                 image_file = folder() / "ramp.png";
+  write(painted,
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
+        "property double paint\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+        "0 0 0 1\n100 0 0 3\n100 100 0 3\n0 100 0 1\n3 0 1 2\n3 0 2 3\n");
+  // The texture is turned: its v axis lies along -x, inside the first and last centre of a pixel.
+  write(mesh,
+        "v 0 0 0\nv 100 0 0\nv 100 100 0\nv 0 100 0\nvt 0.5 0.75\nvt 0.5 0.25\n"
+        "f 1/1 2/2 3/2\nf 1/1 3/2 4/1\n");
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION, image.width = 2, image.height = 2, image.format = PNG_FORMAT_GRAY;
+  const std::array<unsigned char, 4> pixels = {255, 255, 0, 0};  // v = 0.75 is white, v = 0.25 is black
+  REQUIRE(png_image_write_to_file(&image, image_file.c_str(), 0, pixels.data(), 0, nullptr) != 0);
+  Scene scene;
+  scene.mesh = {};
+  scene.mesh.file = mesh.string(), scene.mesh.refine = 3;
+  scene.mesh.scale = 1e-3, scene.mesh.offset = {5, -2, 1};
+  const AcceptedMesh accepted = rest_mesh_of(scene.mesh, {});
+  const RestMesh rest(accepted.mesh, accepted.named);
+  const auto centre = [&](int t) {  // along x, over the square's side
+    double sum = 0;
+    for (int c = 0; c < 3; ++c) sum += rest.named_positions()(rest.triangles()(t, c), 0) - 5;
+    return sum / 3 / 0.1;
+  };
+  const std::vector<double> by_paint = factors_of(
+                                {.file = painted.string(), .property = "paint", .low = 0.0, .high = 1.0},
+                                scene.mesh, rest, {}, "/bending/map"),
+                            by_image =
+                                factors_of({.file = image_file.string(), .property = "", .low = 2, .high = 4},
+                                           scene.mesh, rest, {}, "/bending/map");
+  REQUIRE(by_paint.size() == static_cast<std::size_t>(rest.triangle_count()));
+  REQUIRE(by_image.size() == by_paint.size());
+  for (int t = 0; t < rest.triangle_count(); ++t) {
+    CHECK_THAT(by_paint[static_cast<std::size_t>(t)], WithinAbs(1 + 2 * centre(t), 1e-9));
+    // A pixel has 8 bits, and the image is kept in single precision.
+    CHECK_THAT(by_image[static_cast<std::size_t>(t)], WithinAbs(4 - 2 * centre(t), 1e-5));
+  }
 }
 
 TEST_CASE("a stiffness that changes over time ends at the rest of its last value", "[scene]") {
