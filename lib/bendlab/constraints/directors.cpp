@@ -202,6 +202,14 @@ Positions upright_normals(const Directors& directors, const OwnElements& own, co
 
 }  // namespace
 
+Eigen::Matrix3d ClampedNormal::axes(const Vector3& a, const Vector3& b, const Vector3& c) {
+  Eigen::Matrix3d result;
+  result.col(0) = (b - a).normalized();
+  result.col(2) = (b - a).cross(c - a).normalized();
+  result.col(1) = result.col(2).cross(result.col(0));
+  return result;
+}
+
 Positions joined(const Positions& vertices, const Positions& directors) {
   if (directors.rows() == 0) return vertices;
   Positions points(vertices.rows() + directors.rows(), 3);
@@ -216,6 +224,9 @@ Positions relaxed_directors(const Directors& directors, const ElementLists& elem
   Positions points =
       joined(vertices, directors.coordinates == 3 ? upright_normals(directors, own, vertices, start) : start);
   if (!points.allFinite()) return start;
+  for (const ClampedNormal& normal : directors.clamped)
+    if (directors.is_pinned[static_cast<std::size_t>(normal.director)] != 0)
+      points.row(vertices.rows() + normal.director) = normal.at(vertices).transpose();
   Relaxation relaxation(directors, elements, own, vertices);
   const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm(),
                least = 16 * std::numeric_limits<double>::epsilon() * size;

@@ -40,6 +40,7 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, Integrator integr
       integrator_(integrator),
       tolerance_(tolerance * input.size),
       size_(input.size),
+      clamped_(input.directors.clamped),
       constraint_count_(count_constraints(input)) {
   require_energy(input);
   data_.base = data_.target = data_.velocity = data_.earlier_velocity = state_.position;
@@ -60,6 +61,7 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
   this->append_effects(before_, effect_passes, Stage::damp);
   this->add_pass(before_, "target", [this](auto& c) { aim(c.substep); });
   this->append_effects(before_, effect_passes, Stage::predicted);
+  if (!clamped_.empty()) this->add_pass(before_, "clamps", [this](auto&) { turn_clamped_normals(); });
   if (preparation() != nullptr)
     this->add_pass(before_, preparation(), [this](auto&) {
       if (has_unknowns_) prepare();
@@ -145,6 +147,25 @@ std::vector<Real> ImplicitStep<Real>::lasting_weights() const {
   for (std::size_t v = 0; v < weights.size(); ++v)
     weights[v] = weight_for(v, integrator_ == Integrator::bdf2 ? 2 * h / 3 : h);
   return weights;
+}
+
+// A clamp that moves in this substep turns its normals.
+template <class Real>
+void ImplicitStep<Real>::turn_clamped_normals() {
+  for (const ClampedNormal& normal : clamped_) {
+    const auto at = [&](std::size_t corner) {
+      return this->permuted(static_cast<std::size_t>(normal.triangle[corner]));
+    };
+    const auto moves = [&](std::size_t v) {
+      return state_.position[v].vector() != state_.previous[v].vector();
+    };
+    if (!moves(at(0)) && !moves(at(1)) && !moves(at(2))) continue;
+    const auto place = [&](std::size_t corner) -> Vector3 {
+      return state_.position[at(corner)].vector().template cast<double>();
+    };
+    state_.position[static_cast<std::size_t>(state_.vertex_count + normal.director)].set(
+        normal.at(place(0), place(1), place(2)).template cast<Real>());
+  }
 }
 
 template <class Real>

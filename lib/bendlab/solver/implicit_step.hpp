@@ -140,11 +140,13 @@ class ImplicitStep : public TimeStep<Real> {
   void take_drag_over(Pass<Real>& pass);
   void remember_velocities();
   void aim(Real h);
+  void turn_clamped_normals();
   void add_contact_passes(std::vector<Pass<Real>>& effect_passes);
   void update();
 
   Integrator integrator_;
   double tolerance_, size_;  // m
+  std::vector<ClampedNormal> clamped_;
   std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
   bool has_unknowns_ = false;
   bool has_stepped_ = false;  // since construction; steps before a checkpoint do not count

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_faces.hpp"
@@ -186,13 +187,14 @@ Directors normals_of(const BendingInput& input, const std::vector<RestFace>& fac
   directors.rest = Positions::Zero(rest.vertex_count(), 3);
   directors.is_pinned.assign(static_cast<std::size_t>(rest.vertex_count()), 0);
   std::vector<double> area(directors.is_pinned.size(), 0);
+  std::map<int, std::array<int, 3>> clamps;  // of a vertex: a triangle of pinned vertices
   for (const RestFace& face : faces) {
     const auto p = corners(rest.positions(), face.vertices);
-    const bool clamps = std::ranges::all_of(face.vertices, [&](int v) { return input.pins.pinned(v); });
+    const bool is_clamp = std::ranges::all_of(face.vertices, [&](int v) { return input.pins.pinned(v); });
     for (const int v : face.vertices) {
       directors.rest.row(v) += (p[1] - p[0]).cross(p[2] - p[0]).transpose();
       area[static_cast<std::size_t>(v)] += face.area / 3;
-      if (clamps) directors.is_pinned[static_cast<std::size_t>(v)] = 1;
+      if (is_clamp) clamps.try_emplace(v, face.vertices);
     }
   }
   for (int v = 0; v < rest.vertex_count(); ++v) {
@@ -202,6 +204,10 @@ Directors normals_of(const BendingInput& input, const std::vector<RestFace>& fac
       directors.rest.row(v) *= std::sqrt(area[at]) / directors.rest.row(v).norm();
     else
       directors.is_pinned[at] = 1;  // a vertex without area
+  }
+  for (const auto& [v, triangle] : clamps) {
+    directors.is_pinned[static_cast<std::size_t>(v)] = 1;
+    directors.clamped.emplace_back(v, triangle, rest.positions(), directors.rest.row(v).transpose());
   }
   return directors;
 }
