@@ -21,8 +21,8 @@ def main(results, out, section):
                       for number, at in sorted(group(own, cells).items())]
             made = verified.of_rows(meshes, truth, verified.ORDERS.get(own[0].model))
             rows.append({"width": width, "model": model, "family": family, "truth": truth} | made.cells())
-            charted += [{"model": model, "width": width, "cells": round(1 / mesh["h"]), "over": mesh["value"] / truth}
-                        for mesh in meshes]
+            charted += [{"model": model, "width": width, "cells": round(1 / mesh["h"]),
+                         "over": mesh["value"] / truth} for mesh in meshes]
     section.add_table("buckling", "Critical load Γ* = ρ g L³ / B of an upright strip (ν = 0.3)", [
         ("width", "width over length"), "model", ("family", "mesh"), ("truth", "plate theory", ".3f"),
         *verified.columns()], rows)
@@ -33,7 +33,8 @@ def main(results, out, section):
     title = (f"With mid_edge, strips buckle at {100 * min(near):.1f} to {100 * max(near):.1f} % of "
              "the load of plate theory" if near else "Lateral buckling")
     section.add_chart("loads", title, "cells", ["over"], ["width"], id="buckling", held=["model"],
-                      at="mid_edge", scale="log2", y_scale="linear", look="", limits=[("over", 1, "plate theory")],
+                      at="mid_edge", scale="log2", y_scale="linear", look="",
+                      limits=[("over", 1, "plate theory")],
                       note="Γ* is where a line through the two smallest squared deflections is zero.")
     wrinkles(results, section)
 

@@ -60,9 +60,9 @@ struct Directors {
 Positions joined(const Positions& vertices, const Positions& directors);
 
 /// #D by 3, m: the directors with the least energy for given positions of the vertices (#V by 3, m). Pinned
-/// directors keep their values in `start`, or turn with their clamp. Newton's method starts at `start` (normals at vertices start at
-/// the mean normal of their triangles). It ends when moves are as small as rounding errors, or after 20
-/// iterations.
+/// directors keep their values in `start`, or turn with their clamp. Newton's method starts at `start`
+/// (normals at vertices start at the mean normal of their triangles). It ends when moves are as small as
+/// rounding errors, or after 20 iterations.
 Positions relaxed_directors(const Directors& directors, const ElementLists& elements, const OwnElements& own,
                             const Positions& vertices, const Positions& start);
 
