@@ -63,10 +63,10 @@ FIGURES = [
            "Kirchhoff, made of triangles with constant strain. Such triangles are too stiff where the "
            "membrane bends in its own plane."),
     Figure(buckling, "Lateral buckling and wrinkles", "Buckling",
-           "A strip whose width is upright bends sideways above a critical load. (For a width of 0.1 "
-           "lengths, Chen, Kaufman and Vouga 2026 found about 16 in their simulations.) A sheet that is "
-           "pulled at its ends, which keep their width, wrinkles along the pull. The law of the wave "
-           "length (Cerda and Mahadevan 2003) holds if waves are short compared with the width."),
+           "A strip whose width is upright bends sideways above a critical load. Romero and others 2021 (doi "
+           "10.1145/3450626.3459931) test simulators with it. A sheet that is pulled at its ends, which "
+           "keep their width, wrinkles along the pull. The law of the wave length (Cerda and Mahadevan "
+           "2003) holds if waves are short compared with the width."),
     Figure(cost, "Does mid-edge bending pay?", "Cost",
            "A clamped strip falls and comes to rest. Each model is computed with several solver settings. "
            "The error of every model is its distance from the equilibrium of mid_edge on 104 cells, "

@@ -320,11 +320,11 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
   }
   // The cost of a law is compared with that of one rigidity, so one small cloth is enough.
   const int small = options.quick ? 32 : 64;
-  for (const char* method : {"pbd", "quasi_newton"})
+  for (const std::string method : {"pbd", "quasi_newton"})
     for (const std::string model : {"discrete_shells", "mid_edge", "dkt"})
       for (const BendingLaw& law : laws) {
         const BendingKind& bending = *find_bending_model(model);
-        if (bending.needs_energy && method == std::string("pbd")) continue;
+        if (bending.needs_energy && method == "pbd") continue;
         if (law.of_moments && !bending.softens) continue;
         const MethodCase kind{.method = method,
                               .cells = small,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,6 +43,12 @@ Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
   return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
 }
 
+// How many points a constraint joins. Constraints of laplacian repeat a vertex, so that all have the same
+// length.
+double distinct(std::span<const int> vertices) {
+  return static_cast<double>(std::set<int>(vertices.begin(), vertices.end()).size());
+}
+
 // The size of the whole mesh if the whole mesh were like the patch. `whole`: length of the mesh divided by
 // length of the patch.
 RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
@@ -66,7 +73,7 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   const double weight = whole * whole * (is_sample ? stride : 1);
   const auto add = [&](std::span<const int> vertices, std::size_t bytes, std::size_t numbers) {
     size.constraints += weight;
-    size.corners += weight * static_cast<double>(vertices.size());
+    size.corners += weight * distinct(vertices);
     size.list_bytes += weight * static_cast<double>(bytes);
     size.numbers += weight * static_cast<double>(numbers);
     if (vertices.size() != 2) return;
@@ -82,10 +89,10 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   size.directors =
       whole * whole * static_cast<double>(built.directors.vertices.size()) * built.directors.coordinates;
   size.own = whole * whole * static_cast<double>(built.own.size() * built.own.arity);
+  const std::size_t vertices_of_own = built.own.arity - built.own.directors;  // the normals are theirs
   for (std::size_t c = 0; c < built.own.size(); ++c)
-    add(built.own.corners(c).first(built.own.arity -
-                                   built.own.directors),  // normals belong to their vertices
-        built.own.arity * sizeof(int) + sizeof(double), built.own.arity + 2);
+    add(built.own.corners(c).first(vertices_of_own), built.own.arity * sizeof(int) + sizeof(double),
+        built.own.arity + 2);
   if (size.pairs > 0) size.reach /= size.pairs;
   if (size.constraints > 0) size.corners /= size.constraints;
   return size;

@@ -419,7 +419,6 @@ TEST_CASE("an image lies on a sheet with its first row at the top", "[scene]") {
 TEST_CASE("maps belong to the mesh file, also if the scene scales and moves it", "[scene]") {
   // A square of 100 mm. The property grows from 1 to 3 along x, the image along its texture's v axis. Both
   // are linear, so a triangle's mean is the value at its centre.
-  const std::string points = "0 0 0\n100 0 0\n100 100 0\n0 100 0\n";
   const fs::path painted = folder() / "painted.ply", mesh = folder() / "square.obj",
                  image_file = folder() / "ramp.png";
   write(painted,
@@ -435,7 +434,6 @@ TEST_CASE("maps belong to the mesh file, also if the scene scales and moves it",
   const std::array<unsigned char, 4> pixels = {255, 255, 0, 0};  // v = 0.75 is white, v = 0.25 is black
   REQUIRE(png_image_write_to_file(&image, image_file.c_str(), 0, pixels.data(), 0, nullptr) != 0);
   Scene scene;
-  scene.mesh = {};
   scene.mesh.file = mesh.string(), scene.mesh.refine = 3;
   scene.mesh.scale = 1e-3, scene.mesh.offset = {5, -2, 1};
   const AcceptedMesh accepted = rest_mesh_of(scene.mesh, {});

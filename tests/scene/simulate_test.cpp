@@ -94,7 +94,7 @@ const MethodKind Ballistic::kind{.name = "ballistic",
 
 }  // namespace
 
-TEST_CASE("normals at a clamp turn with the clamp") {
+TEST_CASE("normals at a clamp turn with the clamp", "[scene]") {
   for (const std::string_view model : {"mid_edge", "dkt"})
     for (const std::string_view method : {"quasi_newton", "newton"}) {
       INFO(model << " " << method);

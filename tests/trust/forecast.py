@@ -31,7 +31,9 @@ WITHIN = 0.2
 ABOVE = 0.8  # share of this machine's memory; larger runs are left out
 
 
-SOLVERS = [{"levels": 12}, {"method": "quasi_newton"}, {"method": "newton", "iterations": 1}]
+NEWTON = {"method": "newton", "iterations": 1}
+SOLVERS = [{"levels": 12}, {"method": "quasi_newton"}, NEWTON]
+WIDE = ["laplacian", "mid_edge_average", "mid_edge", "dkt"]  # the matrices of these models have more entries
 
 
 def config(cells, model, stiffness, diagonal="same", solver=None):
@@ -73,6 +75,7 @@ def main(program, sizes):
         cases += [(sizes[0], model, "k", diagonal) for model in ("adaptive", "dihedral")
                   for diagonal in ("alternating", "both")]
         cases += [(cells, "dihedral", "physical", "same", solver) for cells in sizes for solver in SOLVERS]
+        cases += [(cells, model, "physical", "same", NEWTON) for cells in sizes for model in WIDE]
         for case in cases:
             (folder / "run.json").write_text(json.dumps(config(*case)), encoding="utf-8")
             needs = planned(program, folder)

@@ -260,9 +260,10 @@ constinit const BendingKind Dkt::kind{
         "the middles of edges follow from cubic edges",
     .source = "Batoz, Bathe and Ho 1980; for large deflections as in Chen, Kaufman and Vouga 2026",
     .limits =
-        "an iteration takes about 5 times as long as with hinges; a sheet of one triangle has no stiffness; "
-        "needs "
-        "the method newton, quasi_newton or equilibrium, and triangles that all face the same side",
+        "an iteration of quasi_newton takes about 5 times as long as with hinges; a sheet of one triangle "
+        "has "
+        "no stiffness; needs the method newton, quasi_newton or equilibrium, and triangles that all face the "
+        "same side",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder",
     .settings = table_of<Dkt>({}),
     .uses_sides = true,
