@@ -19,10 +19,10 @@ struct ClampedNormal {
   std::array<int, 3> triangle{};
   Vector3 in_triangle{0, 0, 0};  ///< m, in the axes of the triangle
 
-  ClampedNormal(int director, const std::array<int, 3>& triangle, const Positions& vertices,
+  ClampedNormal(int of_director, const std::array<int, 3>& corners, const Positions& vertices,
                 const Vector3& normal)
-      : director(director),
-        triangle(triangle),
+      : director(of_director),
+        triangle(corners),
         in_triangle(axes(row(vertices, 0), row(vertices, 1), row(vertices, 2)).transpose() * normal) {}
 
   /// The normal if the vertices of the triangle are at a, b and c.
