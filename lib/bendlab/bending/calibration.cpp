@@ -189,10 +189,12 @@ class Calibration {
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
   }
 
-  // Bends the sheet, but so little that energies are quadratic. Heights are measured from the middle of each
-  // own element, because a function may compute with rounding of the whole height.
+  // Bends the sheet, but so little that energies are quadratic. Directors then depend linearly on the three
+  // curvatures of the sheet, so they are relaxed on three surfaces only. For own elements, heights are
+  // measured from the middle of each element, because a function may compute with rounding of the whole
+  // height.
   void add_share_facts(const std::vector<Vector2>& plane) {
-    const double curvature = 1e-4 / rest_.mean_edge_length();
+    const double curvature = 1e-3 / rest_.size();
     double area = 0;
     for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
     if (!(area > 0)) return;
@@ -200,16 +202,32 @@ class Calibration {
     Directors directors = constraints_.directors;
     for (std::size_t i = 0; i < directors.is_pinned.size(); ++i)
       if (directors.rest.row(static_cast<Eigen::Index>(i)).norm() > 0) directors.is_pinned[i] = 0;
+    // The surface z = ½ (k₀ x² + k₁ y²) + k₂ x y.
+    const auto bent = [&](const Vector3& k) {
+      Positions surface(rest_.vertex_count(), 3);
+      for (int v = 0; v < rest_.vertex_count(); ++v) {
+        const Vector2& q = plane[static_cast<std::size_t>(v)];
+        surface.row(v) << q.x(), q.y(),
+            0.5 * (k(0) * square(q.x()) + k(1) * square(q.y())) + k(2) * q.x() * q.y();
+      }
+      return surface;
+    };
+    const Positions flat = upright(directors);
+    std::array<Positions, 3> turned;  // the change of the directors over each curvature
+    for (int k = 0; k < 3 && directors.count() > 0; ++k)
+      turned[static_cast<std::size_t>(k)] =
+          (relaxed_directors(directors, constraints_.elements, constraints_.own,
+                             bent(curvature * Vector3::Unit(k)), flat) -
+           flat) /
+          curvature;
     const auto share_along = [&](const Vector2& d) {
       double energy = 0;
       if (constraints_.directors.count() > 0 || constraints_.own.size() == 0) {
-        Positions bent(rest_.vertex_count(), 3);
-        for (int v = 0; v < rest_.vertex_count(); ++v) {
-          const Vector2 q = plane[static_cast<std::size_t>(v)];
-          bent.row(v) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
-        }
-        const Positions points = joined(bent, relaxed_directors(directors, constraints_.elements,
-                                                                constraints_.own, bent, upright(directors)));
+        const Vector3 k = curvature * Vector3(square(d.x()), square(d.y()), d.x() * d.y());
+        Positions turns = flat;
+        for (int i = 0; i < 3 && directors.count() > 0; ++i)
+          turns += k(i) * turned[static_cast<std::size_t>(i)];
+        const Positions points = joined(bent(k), turns);
         energy = elastic_energy(constraints_.own, points);
         for_each_kind(constraints_.elements, [&]<class Kind>(const ElementList<Kind>& list) {
           if constexpr (by_formula<Kind>) energy += elastic_energy(list, points);

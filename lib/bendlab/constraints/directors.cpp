@@ -13,9 +13,14 @@ namespace {
 // Newton's method for the directors alone.
 class Relaxation {
  public:
+  // `least`: the longest move that counts as none, m.
   Relaxation(const Directors& directors, const ElementLists& elements, const OwnElements& own,
-             const Positions& vertices)
-      : directors_(directors), elements_(elements), own_(own), first_(static_cast<int>(vertices.rows())) {
+             const Positions& vertices, double least)
+      : directors_(directors),
+        elements_(elements),
+        own_(own),
+        first_(static_cast<int>(vertices.rows())),
+        least_(least) {
     unknown_.assign(directors.vertices.size(), -1);
     for (std::size_t d = 0; d < unknown_.size(); ++d)
       if (directors.is_pinned[d] == 0) unknown_[d] = directors.coordinates * free_++;
@@ -24,17 +29,22 @@ class Relaxation {
 
   bool has_unknowns() const { return free_ > 0; }
 
-  // Improves the directors among `points` (#P by 3). Returns the longest move, m. In a strongly bent sheet
-  // the search takes tens of steps without the second derivatives of constraints. With them the matrix may
-  // not be definite, and a step may go uphill; then the step is found without them.
-  double improve(Positions& points) {
-    for (const bool second : {true, false})
-      if (const double longest = improve(points, second); longest > 0) return longest;
-    return 0;
+  // Improves the directors among `points` (#P by 3). Returns false if they need no further move, or if no
+  // move lowers the energy. In a strongly bent sheet the search takes tens of steps without the second
+  // derivatives of constraints. With them the matrix may not be definite, and a step may go uphill; then the
+  // step is found without them.
+  bool improve(Positions& points) {
+    for (const bool second : {true, false}) {
+      if (!find_step(points, second)) continue;
+      if (!(step_.cwiseAbs().maxCoeff() > least_)) return false;
+      if (step_.dot(slope_) < 0 && move(points)) return true;
+    }
+    return false;
   }
 
  private:
-  double improve(Positions& points, bool second) {
+  // Returns false if the matrix is singular.
+  bool find_step(const Positions& points, bool second) {
     slope_.setZero(free_);
     entries_.clear();
     for (int u = 0; u < free_; ++u) entries_.emplace_back(u, u, 0);
@@ -42,6 +52,8 @@ class Relaxation {
       if constexpr (directors_of < Kind >> 0) add(list, points, second);
     });
     add_own(points);
+    step_.setZero(free_);
+    if (slope_.isZero(0)) return true;
     Eigen::SparseMatrix<double> matrix(free_, free_);
     matrix.setFromTriplets(entries_.begin(), entries_.end());
     const double mean = matrix.diagonal().cwiseAbs().mean();
@@ -49,9 +61,9 @@ class Relaxation {
       matrix.coeffRef(u, u) += matrix.coeff(u, u) == 0 ? (mean > 0 ? mean : 1) : 1e-14 * mean;
     if (!is_analysed_) solver_.analyzePattern(matrix), is_analysed_ = true;
     solver_.factorize(matrix);
-    if (solver_.info() != Eigen::Success) return 0;
-    const Eigen::VectorXd step = -solver_.solve(slope_);
-    return step.dot(slope_) < 0 ? move(points, step) : 0;
+    if (solver_.info() != Eigen::Success) return false;
+    step_ = -solver_.solve(slope_);
+    return true;
   }
 
   double energy(const Positions& points) const {
@@ -154,8 +166,8 @@ class Relaxation {
     }
   }
 
-  // Halves the step until the energy falls.
-  double move(Positions& points, const Eigen::VectorXd& step) const {
+  // Halves the step until the energy falls. Returns whether the directors moved.
+  bool move(Positions& points) const {
     const double before = energy(points);
     constexpr int most_halvings = 20;
     for (int halving = 0; halving <= most_halvings; ++halving) {
@@ -163,12 +175,12 @@ class Relaxation {
       Positions moved = points;
       for (int d = 0; d < directors_.count(); ++d)
         for (int k = 0; k < directors_.coordinates; ++k)
-          if (const int u = unknown(first_ + d, k); u >= 0) moved(first_ + d, k) += share * step(u);
+          if (const int u = unknown(first_ + d, k); u >= 0) moved(first_ + d, k) += share * step_(u);
       if (!(energy(moved) <= before)) continue;
       points = std::move(moved);
-      return share * step.cwiseAbs().maxCoeff();
+      return share * step_.cwiseAbs().maxCoeff() > least_;
     }
-    return 0;
+    return false;
   }
 
   const Directors& directors_;
@@ -176,7 +188,8 @@ class Relaxation {
   const OwnElements& own_;
   int first_, free_ = 0;
   std::vector<int> unknown_;
-  Eigen::VectorXd slope_;
+  double least_;
+  Eigen::VectorXd slope_, step_;
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
   bool is_analysed_ = false;
@@ -227,11 +240,11 @@ Positions relaxed_directors(const Directors& directors, const ElementLists& elem
   for (const ClampedNormal& normal : directors.clamped)
     if (directors.is_pinned[static_cast<std::size_t>(normal.director)] != 0)
       points.row(vertices.rows() + normal.director) = normal.at(vertices).transpose();
-  Relaxation relaxation(directors, elements, own, vertices);
-  const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm(),
-               least = 16 * std::numeric_limits<double>::epsilon() * size;
+  const double size = (vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).norm();
+  Relaxation relaxation(directors, elements, own, vertices,
+                        16 * std::numeric_limits<double>::epsilon() * size);
   for (int i = 0; i < most_iterations && relaxation.has_unknowns(); ++i)
-    if (!(relaxation.improve(points) > least)) break;
+    if (!relaxation.improve(points)) break;
   return points.bottomRows(directors.count());
 }
 
