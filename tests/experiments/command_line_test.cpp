@@ -237,6 +237,21 @@ TEST_CASE("The command energy states the energy of a pose, and divides it only b
   }
 }
 
+TEST_CASE("Overhangs of ASTM D1388 become the rigidities of a config", "[command line]") {
+  Workplace here;
+  here.write("lengths.txt", "direction overhang\nwarp 50\nwarp 52\nweft 40\n");
+  REQUIRE(here.run("fabrics --astm lengths.txt --mass 200") == 0);
+  CHECK_THAT(here.err(), ContainsSubstring("from 2 specimens"));
+  const json settings = json::parse(here.out());
+  CHECK_THAT(settings["material"]["density"].get<double>(), WithinRel(0.2, 1e-12));
+  // B = W c³ g, and the bending length c is half of the overhang.
+  for (const auto& [direction, length] : {std::pair{"warp", 0.0255}, {"weft", 0.020}})
+    CHECK_THAT(settings["bending"]["rigidity"][direction].get<double>(),
+               WithinRel(0.2 * 9.80665 * length * length * length, 1e-9));
+  CHECK(here.run("fabrics --astm lengths.txt") == 2);
+  CHECK_THAT(here.err(), ContainsSubstring("--mass in g/m²"));
+}
+
 TEST_CASE("The option --set overrides a value and replaces an axis, and --out names the folder",
           "[command line]") {
   Workplace here;

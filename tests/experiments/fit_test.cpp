@@ -2,10 +2,14 @@
 // tell.
 #include "experiments/fit/fit.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 
 #include "bendlab/scene/simulate.hpp"
 #include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
 
 namespace bendlab {
 namespace {
@@ -161,6 +165,52 @@ TEST_CASE("the uncertainty of a fit does not depend on a point beyond the border
   // 7 / n of the information of n points; here n > 14.
   CHECK(with <= without);
   CHECK(with >= without / std::sqrt(1.5));
+}
+
+TEST_CASE("the uncertainty of a fit is the scatter of the points over the change of the shape", "[fit]") {
+  const auto strip_of = [](double rigidity) {
+    return strip(coarse, fmt::format(R"({{"model": "discrete_shells", "flexural_rigidity": {}}})", rigidity),
+                 1);
+  };
+  constexpr double truth = 2e-5, step = 0.01, scatter = 1e-3;  // scatter in m, far above the rms
+  FitProblem problem;
+  problem.runs.push_back(run_of(strip_of(truth)));
+  problem.shapes.push_back(shape_of(strip_of(truth)));
+  problem.pointers = {"/bending/flexural_rigidity"};
+  problem.uncertainty = scatter;
+  const Positions points = problem.shapes.front().points;
+  const Positions change = (shape_of(strip_of(truth * std::exp(step))).points -
+                            shape_of(strip_of(truth * std::exp(-step))).points) /
+                           (2 * step);
+  // The distance of a point to the strip changes by the part of the change that is normal to the strip.
+  double information = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0),
+                       after = std::min<Eigen::Index>(i + 1, points.rows() - 1);
+    const Eigen::RowVector3d along = (points.row(after) - points.row(before)).normalized();
+    information += (change.row(i) - change.row(i).dot(along) * along).squaredNorm();
+  }
+  // The tolerance is for the slope at the tip, which is taken over half an edge, and for finite differences.
+  CHECK_THAT(fit(problem).settings[0].uncertainty, WithinRel(scatter / std::sqrt(information), 0.05));
+}
+
+TEST_CASE("points of a shape are read from two or three columns", "[fit]") {
+  const test::Workplace here;
+  const auto read = [&](const std::string& text) {
+    here.write("points.csv", text);
+    return read_shape(here.folder / "points.csv", 0.25).points;
+  };
+  const Positions two = read("x (m);z (m)\n0,0\n\n0.01; -2e-3\r\n"), three = read("0 1 2\n3\t4\t5\n");
+  REQUIRE(two.rows() == 2);
+  CHECK(two.row(1) == Eigen::RowVector3d(0.01, 0.25, -2e-3));
+  CHECK(three.row(1) == Eigen::RowVector3d(3, 4, 5));
+  for (const auto& [text, cause] : {std::pair{"", "no points"},
+                                    {"x z\n", "no points"},
+                                    {"0 0\n1 2 3\n", "line 2"},
+                                    {"0\n", "line 1"},
+                                    {"0 0\n1 two\n", "line 2"},
+                                    {"1 2 3 4\n", "line 1"}})
+    CHECK_THROWS_WITH(read(text), ContainsSubstring(cause));
 }
 
 }  // namespace bendlab

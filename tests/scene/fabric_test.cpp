@@ -587,15 +587,17 @@ TEST_CASE("a fabric by name sets its numbers, and stated numbers replace them", 
 }
 
 TEST_CASE("laboratory files become rigidities in SI", "[scene]") {
-  // A loop of M = B K ± HB with B = 0.1 gf cm²/cm and HB = 0.02 gf cm/cm.
+  // The four branches have different slopes, with the mean B = 0.1 gf cm²/cm. At 1 /cm, HB is 0.03 gf cm/cm
+  // on the face and 0.01 on the back.
   std::string loop = "K (1/cm), M (gf cm/cm)\n";
-  const auto add = [&](double from, double to, double friction) {
+  const auto add = [&](double from, double to, double slope, double friction) {
+    const double side = from + to > 0 ? 1 : -1;
     for (int k = 0; k <= 100; ++k) {
       const double at = from + (to - from) * k / 100;
-      loop += std::to_string(at) + ", " + std::to_string(0.1 * at + friction) + "\n";
+      loop += std::to_string(at) + ", " + std::to_string(side * 0.1 + slope * (at - side) + friction) + "\n";
     }
   };
-  add(0, 2.5, 0.02), add(2.5, 0, -0.02), add(0, -2.5, -0.02), add(-2.5, 0, 0.02);
+  add(0, 2.5, 0.14, 0.03), add(2.5, 0, 0.06, -0.03), add(0, -2.5, 0.11, -0.01), add(-2.5, 0, 0.09, 0.01);
   const fs::path kes = folder() / "kes.csv", astm = folder() / "astm.csv", arcsim = folder() / "arcsim.json";
   write(kes, loop);
   const BendingMeasurement measured = kes_bending(kes);
