@@ -39,8 +39,10 @@ def measurements(bench, out):
 
 
 def title(entries):
-    steps = [entry["kinds"]["whole step"][1] for entry in entries if "whole step" in entry["kinds"]]
+    steps = [entry["kinds"]["whole step"][1] for entry in entries
+             if "whole step" in entry["kinds"] and entry["processor"] == entries[-1]["processor"]]
     if len(steps) < 2:
         return "The cost of a constraint over time"
     before, now = map(number, steps[-2:])
-    return f"A step is {now} times as fast as a step of the oracle (in the last measurement: {before} times)"
+    return (f"A step is {now} times as fast as a step of the oracle (in the last measurement on a processor "
+            f"of this name: {before} times)")

@@ -47,7 +47,8 @@ def model_of(name):
 def label(name):
     """The page's name for a kind of constraint."""
     model, more = RENAMED.get(name, (name, ""))
-    return STRAIN.get(name, f"{model} {'hinges' if registry.made_of(model) == 'hinges' else 'springs'}{more}")
+    springs = " springs" if registry.made_of(model) == "springs" else ""
+    return STRAIN.get(name, f"{model}{springs}{more}")
 
 
 def bending(table):

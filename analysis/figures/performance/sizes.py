@@ -9,15 +9,13 @@ def main(bench, out, section):
     timed = series(bench["rows"])
     section.missing = lacking(timed, OVER_SIZE)
     section.commands = ["./bendlab bench --filter '^(strain|crossover|dense)'"]
-    rows = [shown(row) | {"kind": label(name), "code": code} for name in OVER_SIZE
-            for code, key in (("fast", name), ("oracle", f"{name}_oracle"))
-            for scalar in PRECISION for row in timed.get((key, scalar), [])]
+    rows = [shown(row) | {"kind": label(name)} for name in OVER_SIZE
+            for scalar in PRECISION for row in timed.get((name, scalar), [])]
     section.add_chart(
         table("sizes", "Cost over size",
-              ["kind", "code", "precision", "vertices", "ns", "range", "vertex", "ratio"], rows),
-        title(timed), "vertices", ["ns", "vertex"], ["kind", "code", "precision"], y_scale="log", look="",
-        dashed="precision", note="The oracle is the scalar code that projects one constraint at a time in "
-                                 "list order, timed on one size of cloth.")
+              ["kind", "precision", "vertices", "ns", "range", "vertex"], rows),
+        title(timed), "vertices", ["ns", "vertex"], ["kind", "precision"], y_scale="log", look="",
+        dashed="precision")
 
 
 def title(timed):
