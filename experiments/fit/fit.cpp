@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 #include "bendlab/mesh/mesh_surface.hpp"
@@ -16,6 +15,7 @@
 #include "bendlab/scene/simulate.hpp"
 #include "bendlab/scene/start_after.hpp"
 #include "bendlab/settings/input_file.hpp"
+#include "bendlab/settings/measured_lines.hpp"
 
 namespace bendlab {
 namespace {
@@ -321,23 +321,19 @@ Fitted fit(const FitProblem& problem) {
 
 MeasuredShape read_shape(const std::filesystem::path& file, double middle) {
   std::vector<double> numbers;
-  std::istringstream lines(read_input_file(file));
   std::size_t columns = 0;
-  int line_number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    ++line_number;
-    std::ranges::replace(line, ',', ' '), std::ranges::replace(line, ';', ' ');
-    std::istringstream words(line);
+  const std::string text = read_input_file(file);
+  for_measured_lines(text, [&](const std::vector<std::string_view>& words, int line) {
+    if (numbers.empty() && !number_in(words[0])) return;  // titles of the columns
+    if (columns == 0) columns = words.size();
     std::vector<double> row;
-    for (double value; words >> value;) row.push_back(value);
-    if (row.empty() && numbers.empty()) continue;  // titles of the columns
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    if (columns == 0) columns = row.size();
-    if (row.size() != columns || columns < 2 || columns > 3 || !words.eof())
-      throw std::invalid_argument(fmt::format(
-          "line {}: expected two numbers, x and z, or three, x, y and z, in every line", line_number));
+    for (const std::string_view word : words)
+      if (const auto value = number_in(word)) row.push_back(*value);
+    if (words.size() != columns || row.size() != columns || columns < 2 || columns > 3)
+      throw std::invalid_argument(
+          fmt::format("line {}: expected two numbers, x and z, or three, x, y and z, in every line", line));
     numbers.insert(numbers.end(), {row[0], columns == 3 ? row[1] : middle, row.back()});
-  }
+  });
   if (numbers.empty()) throw std::invalid_argument("no points: expected lines of two or three numbers in m");
   return {as_rows(numbers)};
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -11,40 +10,12 @@
 #include "bendlab/bending/directed_rigidity.hpp"
 #include "bendlab/scene/fabrics.hpp"
 #include "bendlab/settings/input_file.hpp"
+#include "bendlab/settings/measured_lines.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr double slope_from = 0.5, slope_to = 1.5, hysteresis_at = 1;  // 1/cm, of KES-FB2
-
-// The words of a line, which spaces, tabs, commas or semicolons separate.
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view between = " \t,;\r";
-  std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(between); at != std::string_view::npos;) {
-    const std::size_t end = std::min(line.find_first_of(between, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = line.find_first_not_of(between, end);
-  }
-  return words;
-}
-
-std::optional<double> number_in(std::string_view word) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
-template <class Action>
-void for_lines(const std::string& text, const Action& action) {
-  int number = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    action(words_of(std::string_view(text).substr(at, end - at)), ++number);
-    at = end + 1;
-  }
-}
 
 // Points of a branch, in the order of ascending |K|.
 using Branch = std::vector<std::array<double, 2>>;
@@ -80,8 +51,7 @@ BendingMeasurement kes_bending(const std::filesystem::path& file) {
   std::optional<std::array<double, 2>> before;
   double farthest = 0;  // 1/cm
   const std::string text = read_input_file(file);
-  for_lines(text, [&](const std::vector<std::string_view>& words, int line) {
-    if (words.empty()) return;
+  for_measured_lines(text, [&](const std::vector<std::string_view>& words, int line) {
     const auto curvature = number_in(words[0]),
                moment = words.size() > 1 ? number_in(words[1]) : std::nullopt;
     if (!before && !curvature) return;  // titles of the columns
@@ -131,8 +101,7 @@ BendingMeasurement kes_bending(const std::filesystem::path& file) {
 std::vector<BendingLengths> astm_bending_lengths(const std::filesystem::path& file) {
   std::map<std::string, std::vector<double>> overhangs;
   const std::string text = read_input_file(file);
-  for_lines(text, [&](const std::vector<std::string_view>& words, int line) {
-    if (words.empty()) return;
+  for_measured_lines(text, [&](const std::vector<std::string_view>& words, int line) {
     const auto overhang = words.size() > 1 ? number_in(words[1]) : std::nullopt;
     if (!overhang && line == 1) return;  // titles of the columns
     if (words.size() > 2)
