@@ -403,41 +403,24 @@ class Calibration {
     folds_.push_back(fold(flat));
   }
 
-  // ½ C² divided by (θ - θ0)², for small changes of the angle.
-  static double stiffness_at_rest(HingeAngle::Law law, const std::array<double, 4>& rest) {
-    switch (law) {
-      case HingeAngle::Law::angle:
-        return 0.5;
-      case HingeAngle::Law::half_sine:
-        return 0.25 * rest[3];
-      case HingeAngle::Law::tangent:
-        return 0.5 * square(turn_of(Turn::tangent, rest[0] / 2).slope);
-      case HingeAngle::Law::sine:
-        return 0.5 * square(turn_of(Turn::sine, rest[0] / 2).slope);
-    }
-    throw std::logic_error("stiffness_at_rest: unknown law");
-  }
-
   void add(ElementList<HingeAngle>& list) {
     for (std::size_t c = 0; c < list.size(); ++c) {
-      const double weight = stiffness_at_rest(list.law, list.rest[c]);
+      const double slope = HingeAngle::slope_at_rest(list.rest[c], list.law);
       add_hinge(linear_, list.softness[c], list.vertices[c],
-                [&](double angle) { return weight * square(angle) / list.softness[c]; });
+                [&](double angle) { return 0.5 * square(slope * angle) / list.softness[c]; });
     }
   }
 
   void add(ElementList<QuadraticBend>& list) {
     const bool norm = list.law == QuadraticBend::Law::norm;
     for (std::size_t c = 0; c < list.size(); ++c) {
-      const double edge = list.rest[c][5], sine = list.rest[c][4] / (2 * edge);
-      if (!norm && sine > 0)
+      if (!norm && list.rest[c][4] > 0)
         throw std::invalid_argument(
             "the energy of Bergou as a constraint is quartic in the curvature only if the rest shape is "
             "flat: set the model's \"constraint\" to \"norm\", or state the stiffness by k or compliance");
-      // |Kx| = 2 edge sin(θ/2).
-      const double per_angle = edge * std::sqrt(std::max(0.0, 1 - sine * sine));
+      const double slope = QuadraticBend::slope_at_rest(list.rest[c]);
       add_hinge(norm ? linear_ : quartic_, list.softness[c], list.vertices[c], [&](double angle) {
-        return 0.5 * square(norm ? per_angle * angle : 0.5 * square(edge * angle)) / list.softness[c];
+        return 0.5 * square(norm ? slope * angle : 0.5 * square(slope * angle)) / list.softness[c];
       });
     }
   }

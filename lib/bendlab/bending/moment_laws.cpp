@@ -40,29 +40,12 @@ BendLengths lengths_of_hinge(const std::array<int, 4>& vertices, const BendingIn
   return {per_angle * third / second, per_angle * second / first};
 }
 
-// dC/dθ of a hinge in its rest shape.
-double value_per_angle(HingeAngle::Law law, const std::array<double, 4>& rest) {
-  switch (law) {
-    case HingeAngle::Law::angle:
-      break;
-    case HingeAngle::Law::half_sine:
-      return std::sqrt(0.5 * rest[3]);
-    case HingeAngle::Law::tangent:
-      return turn_of(Turn::tangent, rest[0] / 2).slope;
-    case HingeAngle::Law::sine:
-      return turn_of(Turn::sine, rest[0] / 2).slope;
-  }
-  return 1;
-}
-
 template <class Kind>
 BendLengths lengths_of(const ElementList<Kind>& list, std::size_t c, const BendingInput& input) {
   if constexpr (std::is_same_v<Kind, HingeAngle>) {
-    return lengths_of_hinge(list.vertices[c], input, value_per_angle(list.law, list.rest[c]));
+    return lengths_of_hinge(list.vertices[c], input, HingeAngle::slope_at_rest(list.rest[c], list.law));
   } else if constexpr (std::is_same_v<Kind, QuadraticBend>) {
-    // |Kx| = 2 |e| sin(θ/2), so its slope is |e| cos(θ/2).
-    const double edge = list.rest[c][5], sine = list.rest[c][4] / (2 * edge);
-    return lengths_of_hinge(list.vertices[c], input, edge * std::sqrt(std::max(0.0, 1 - sine * sine)));
+    return lengths_of_hinge(list.vertices[c], input, QuadraticBend::slope_at_rest(list.rest[c]));
   } else if constexpr (std::is_same_v<Kind, LaplacianBend>) {
     const double area = std::pow(list.rest[c][LaplacianBend::arity + 1], 2);  // |Kx| is the curvature times A
     return {area, area};

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <string_view>
 
 #include "bendlab/constraints/elements.hpp"
@@ -41,6 +42,21 @@ struct HingeAngle {
   template <class Real>
   static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,
                                         const std::array<Real, 4>& rest, Law law);
+
+  /// dC/dθ in the rest shape.
+  static double slope_at_rest(const std::array<double, 4>& rest, Law law) {
+    switch (law) {
+      case Law::angle:
+        return 1;
+      case Law::half_sine:
+        return std::sqrt(rest[3] / 2);
+      case Law::tangent:
+        return turn_of(Turn::tangent, rest[0] / 2).slope;
+      case Law::sine:
+        return turn_of(Turn::sine, rest[0] / 2).slope;
+    }
+    throw std::logic_error("slope_at_rest: unknown law");
+  }
 
   /// Only for the law `angle`.
   template <class Real>

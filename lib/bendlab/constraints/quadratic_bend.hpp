@@ -6,6 +6,8 @@
 //   LaplacianBend, N = 13   at a vertex, from its ring (Wardetzky et al. 2007)
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "bendlab/constraints/elements.hpp"
@@ -27,6 +29,12 @@ struct VertexSum {
   template <class Real>
   static Real rest_size(const std::array<Real, N + 2>& rest) {
     return rest[N + 1];
+  }
+
+  /// d|Kx|/dθ in the rest shape, m. |Kx| is 2 |e| sin(θ/2), so the slope is |e| cos(θ/2).
+  static double slope_at_rest(const std::array<double, N + 2>& rest) requires(N == 4) {
+    const double edge = rest[5], sine = rest[4] / (2 * edge);
+    return edge * std::sqrt(std::max(0.0, 1 - sine * sine));
   }
 
   using IsSumOfVertices = void;
