@@ -95,8 +95,7 @@ struct MovedScene {
 Eigen::SparseMatrix<double> metric_of(const SimulationInput& input, std::vector<int>& vertices) {
   const ElasticMetric metric(input);
   vertices = metric.vertices();
-  Eigen::SparseMatrix<double> matrix =
-      metric.membrane(std::vector<double>(metric.triangle_count(), 1)) + metric.bending();
+  Eigen::SparseMatrix<double> matrix = metric.matrix(std::vector<double>(metric.triangle_count(), 1));
   const double gamma = 2.0 / 3.0 * input.settings.dt;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     matrix.coeffRef(i, i) +=

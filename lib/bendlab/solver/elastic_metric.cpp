@@ -172,6 +172,14 @@ double ElasticMetric::rest_area(std::size_t t) const {
   return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
 }
 
+Eigen::SparseMatrix<double> ElasticMetric::matrix(std::span<const double> softness, double bending) const {
+  constexpr double most = 0.01;
+  Eigen::SparseMatrix<double> sum = membrane(softness);
+  if (!(bending * bending_.diagonal().array() <= most * sum.diagonal().array()).all())
+    sum += bending * bending_;
+  return sum;
+}
+
 Eigen::SparseMatrix<double> ElasticMetric::membrane(std::span<const double> softness) const {
   Assembly membrane(free_index_, vertices_.size());
   for (std::size_t t = 0; t < strain_.size(); ++t) {

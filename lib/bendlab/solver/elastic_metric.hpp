@@ -27,8 +27,11 @@ class ElasticMetric {
 
   const std::vector<int>& vertices() const { return vertices_; }  ///< the n free points and directors
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
-  /// Membrane and springs: n by n, lower half, N/m. Triangle t is softness[t] times as soft as stated.
-  Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
+  /// Membrane, springs and bending: n by n, lower half, N/m. Triangle t is softness[t] times as soft as
+  /// stated, and bending has `bending` times its stated stiffness. Bending that adds at most 1 % to each
+  /// diagonal entry is left out. The factor then has less than half as many numbers, because hinges join
+  /// vertices that no triangle joins.
+  Eigen::SparseMatrix<double> matrix(std::span<const double> softness, double bending = 1) const;
 
   std::size_t triangle_count() const { return strain_.size(); }
   /// As in StrainConstraints.
@@ -38,6 +41,7 @@ class ElasticMetric {
  private:
   void find_stiffness_of_springs(const SimulationInput& input, const Positions& rest);
   double rest_area(std::size_t t) const;
+  Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::vector<int> vertices_, free_index_;
   Eigen::SparseMatrix<double> bending_;

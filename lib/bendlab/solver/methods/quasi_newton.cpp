@@ -230,8 +230,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     }
     factorised_ = scaled_;
     for (double& of_triangle : softness) of_triangle /= scaled_.strain;
-    Eigen::SparseMatrix<double> matrix = metric_.membrane(softness);
-    if (!bending_is_small(matrix)) matrix += scaled_.bending * metric_.bending();
+    Eigen::SparseMatrix<double> matrix = metric_.matrix(softness, scaled_.bending);
     const std::vector<Real> lasting = this->lasting_weights();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) +=
@@ -239,14 +238,6 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
           static_cast<double>(lasting[static_cast<std::size_t>(free_[static_cast<std::size_t>(i)])]);
     factor_.emplace(matrix);
     factor_->renumber(free_);
-  }
-
-  // If bending is small, A does not need bending. The factor of A then has half as many numbers,
-  // because hinges join vertices that no triangle joins.
-  bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
-    constexpr double most = 0.01;
-    return (scaled_.bending * metric_.bending().diagonal().array() <= most * membrane.diagonal().array())
-        .all();
   }
 
   Points<Real> elastic_forces(const Points<Real>& positions) const override {
