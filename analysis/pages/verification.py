@@ -29,7 +29,10 @@ FIGURES = [
            "alternating diagonals, irregular triangles, and irregular triangles that are four times as "
            "long as wide. In this section hinges are not calibrated: the weight of a hinge is |e|² / (A₁ + "
            "A₂), where e is the edge and A₁ and A₂ are the areas of its triangles. The code of that paper "
-           "uses 3 times this weight; the last table shows its energies. B is the flexural rigidity."),
+           "uses 3 times this weight; the last table shows its energies. B is the flexural rigidity. The "
+           "unknown normals of mid_edge and dkt relax in a strip along a free border, as wide as a cell. So "
+           "the order in theory of these models is 1 for poses with a border, and 2 for the sphere. "
+           "laplacian has a Poisson's ratio of 1, so its truths are those for this ratio."),
     Figure(creases, "Sharp creases", "Creases",
            "A sheet is folded along a line. The energy of the smooth sheet is infinite, so the energy has "
            "to grow without bound on finer meshes. It also has to rise with the angle, because cloth must "
@@ -73,8 +76,8 @@ FIGURES = [
            "divided by the diagonal of the strip. Hinges are calibrated for large deflections."),
     Figure(validation, "Validation: drape of fabrics", "Validation",
            "The only section about real cloth. The error is the simulated minus the measured drape "
-           "coefficient, and u_val is its standard uncertainty (ASME V&V 20). The inputs are on the <a "
-           "href='../stiffness/index.html#textile'>page of stiffness</a>."),
+           "coefficient, and u_val is its standard uncertainty (ASME V&V 20). The section on textile tests "
+           "of the page of stiffness states the inputs."),
 ]
 
 

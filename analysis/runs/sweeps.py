@@ -68,7 +68,12 @@ def load_experiment(results, config):
 
 
 def _point_text(point):
-    return ", ".join(f"{pointer} {value}" for pointer, value in point.items())
+    """The settings of a point, each by its pointer: "/mesh/cells 8, /bending/model dkt"."""
+    def settings(pointer, value):
+        if isinstance(value, dict):
+            return [text for name, inner in value.items() for text in settings(f"{pointer}/{name}", inner)]
+        return [f"{pointer} {value:.6g}" if isinstance(value, float) else f"{pointer} {value}"]
+    return ", ".join(text for pointer, value in point.items() for text in settings(pointer, value))
 
 
 def _listed(points):

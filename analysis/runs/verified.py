@@ -117,11 +117,12 @@ def columns():
              "from the three finest meshes, relative to the truth"), "verdict"]
 
 
-def converging(runs, value, truth, size=lambda run: run.summary["edge_length"]):
-    """Converging of runs that differ only in the size of their cells. `value`: run → number."""
+def converging(runs, value, truth, size=lambda run: run.summary["edge_length"], orders=ORDERS):
+    """Converging of runs that differ only in the size of their cells. `value`: run → number. `orders`: the
+    order in theory of each model for which it is known."""
     rows = sorted(({"h": size(run), "value": value(run), "run": run} for run in runs),
                   key=lambda row: -row["h"])
-    return of_rows(rows, truth, ORDERS.get(runs[0].model))
+    return of_rows(rows, truth, orders.get(runs[0].model))
 
 
 def of_rows(rows, truth, formal):

@@ -198,6 +198,7 @@ class Strips(unittest.TestCase):
         runs += [self.strip(cells=4, status="diverged"), self.strip(cells=5)]
         for run in runs:
             run.point, run.experiment = {"/mesh/cells": run.get("/mesh/cells")}, "stiffness/a"
+        runs[1].point = {"/mesh": {"cells": 2, "width": 0.1 + 0.2}, "/bending/model": "dkt"}
         experiment, section = SimpleNamespace(runs=runs, config="stiffness/a"), Section("", "")
         with mock.patch.object(strips, "load_experiment", lambda *_: experiment), \
                 mock.patch.object(Section, "uses", lambda section, experiment: experiment.runs):
@@ -205,7 +206,8 @@ class Strips(unittest.TestCase):
         self.assertEqual([run.get("/mesh/cells") for run in kept], [1, 5])
         self.assertEqual(section.missing, [
             "configs/stiffness/a.json: diverged: 1 run /mesh/cells 4",
-            "configs/stiffness/a.json: found no equilibrium: 2 runs, first /mesh/cells 2; /mesh/cells 3"])
+            "configs/stiffness/a.json: found no equilibrium: 2 runs, first /mesh/cells 2, /mesh/width 0.3, "
+            "/bending/model dkt; /mesh/cells 3"])
 
     def test_stiffness_is_compared_with_the_stated_stiffness_of_springs_or_of_hinges(self):
         measured = {"stiffness_flexural_rigidity": 3.0, "stiffness_quartic": 8.0, "stiffness_gamma": 10.0}

@@ -135,7 +135,8 @@ def settings(run):
     if not substeps(run):
         return run.method
     sweep = " symmetric" if run.get("/solver/sweep") == "symmetric" else ""
-    text = f"{work(run)}{sweep}, {run.get('/solver/precision')}"
+    precision = run.get("/solver/precision")  # newton has no choice
+    text = f"{work(run)}{sweep}" + (f", {precision}" if precision else "")
     if run.method != "pbd":
         text = f"{run.method} {text}"
     if flight_limit := run.get("/solver/flight_limit"):

@@ -6,6 +6,7 @@ from tables.committed import COMMITTED
 
 
 def main(results, out, section):
+    section.commands = ["./bendlab python tests/python/test_manufactured.py --write"]
     file = COMMITTED / "verification" / "manufactured.json"
     if not file.exists():
         section.missing.append("results/verification/manufactured.json, which ./bendlab python "

@@ -13,7 +13,8 @@ def main(results, out, section):
     for run_rows in (end_shear, end_moment, slit, roof, pinched, hemispheres, twisted):
         rows += run_rows(results, section)
     section.add_table("shells", "Displacements over published or exact values", [
-        "benchmark", ("quantity", "displacement"), "model", ("family", "mesh"), ("truth", "expected", ".6g"),
+        "benchmark", ("quantity", "displacement"), "model", ("family", "mesh"),
+        ("truth", "expected (in the unit of length of the benchmark)", ".6g"),
         *verified.columns(), "source"], rows)
     section.text += independent(rows)
     oracle(section)
