@@ -198,8 +198,9 @@ class Calibration {
     double area = 0;
     for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
     if (!(area > 0)) return;
-    // The whole sheet bends, so normals at clamps turn, too.
+    // The whole sheet bends, so normals at clamps and on planes of symmetry turn, too.
     Directors directors = constraints_.directors;
+    directors.held.clear();
     for (std::size_t i = 0; i < directors.is_pinned.size(); ++i)
       if (directors.rest.row(static_cast<Eigen::Index>(i)).norm() > 0) directors.is_pinned[i] = 0;
     // The surface z = ½ (k₀ x² + k₁ y²) + k₂ x y.

@@ -76,7 +76,7 @@ class Relaxation {
 
   int unknown(int point, int coordinate) const {
     const int d = point - first_;
-    if (d < 0 || coordinate >= directors_.coordinates) return -1;
+    if (d < 0 || coordinate >= directors_.coordinates || directors_.is_held(d, coordinate)) return -1;
     const int first = unknown_[static_cast<std::size_t>(d)];
     return first < 0 ? -1 : first + coordinate;
   }
@@ -208,8 +208,11 @@ Positions upright_normals(const Directors& directors, const OwnElements& own, co
       sum.row(corner[i] - static_cast<int>(vertices.rows())) += normal.transpose();
   }
   for (Eigen::Index d = 0; d < sum.rows(); ++d)
-    if (directors.is_pinned[static_cast<std::size_t>(d)] == 0 && sum.row(d).norm() > 0)
+    if (directors.is_pinned[static_cast<std::size_t>(d)] == 0 && sum.row(d).norm() > 0) {
+      for (int k = 0; k < 3; ++k)
+        if (directors.is_held(static_cast<int>(d), k)) sum(d, k) = 0;
       normals.row(d) = start.row(d).norm() * sum.row(d).normalized();
+    }
   return normals;
 }
 

@@ -46,9 +46,13 @@ struct Directors {
   std::vector<std::array<int, 2>> vertices;  ///< #D: ends of its edge; at a vertex: twice this vertex
   std::vector<char> is_pinned;               ///< #D
   std::vector<ClampedNormal> clamped;        ///< pinned directors that turn with a clamp
+  std::vector<char> held = {};               ///< #D, or empty: coordinates that stay, a bit each
   int coordinates = 1;                       ///< how many coordinates of a director are read
 
   int count() const { return static_cast<int>(vertices.size()); }
+  bool is_held(int director, int coordinate) const {
+    return !held.empty() && (held[static_cast<std::size_t>(director)] >> coordinate & 1) != 0;
+  }
 
   /// The inertia of a director, as a share of the mass of a vertex. Real cloth has next to none. A director
   /// of an edge of length h then has the moment of inertia `mass_share` m h², which changes the frequency of

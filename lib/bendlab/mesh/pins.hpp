@@ -15,6 +15,9 @@ struct Pins {
   std::vector<char> is_pinned;  ///< #V
   /// #V, or empty: the axes along which a free vertex is held, a bit each (1: x, 2: y, 4: z).
   std::vector<char> held = {};
+  /// #V, or empty: the axes of `held` that are normal to a plane of symmetry, where the sheet also keeps its
+  /// slope.
+  std::vector<char> symmetric = {};
 
   bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
 };
@@ -23,6 +26,9 @@ struct Pins {
 /// vertices within `distance` (m, in a straight line at rest) of a seed or of an edge between two seeds.
 /// Throws std::out_of_range for a seed that is not a vertex.
 Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
+
+enum class CoordinateAxis { x, y, z };
+inline constexpr std::array<std::string_view, 3> coordinate_axis_names = {"x", "y", "z"};
 
 /// Which coordinate axes (0 to 2) mean right, up and towards the viewer in names such as `upper_right`.
 struct NamedAxes {

@@ -182,6 +182,18 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   hold(pins, rest, 0, "hold_x", pinning.hold_x, pinning.hold_x_indices);
   hold(pins, rest, 1, "hold_y", pinning.hold_y, pinning.hold_y_indices);
   hold(pins, rest, 2, "hold_z", pinning.hold_z, pinning.hold_z_indices);
+  for (const CoordinateAxis plane : pinning.symmetry) {
+    const auto bit = static_cast<char>(1 << static_cast<int>(plane));
+    pins.symmetric.resize(pins.is_pinned.size(), 0);
+    for (std::size_t v = 0; v < pins.held.size(); ++v)
+      pins.symmetric[v] = static_cast<char>(pins.symmetric[v] | (pins.held[v] & bit));
+    if (std::ranges::none_of(pins.symmetric, [&](char axes) { return (axes & bit) != 0; }))
+      throw ConfigError(
+          "/pins",
+          {{"/pins/symmetry", fmt::format("no vertex is held along {0}: name the vertices on the plane of "
+                                          "symmetry in /pins/hold_{0}",
+                                          coordinate_axis_names[static_cast<std::size_t>(plane)])}});
+  }
   return pins;
 }
 
@@ -551,6 +563,15 @@ BuiltScene build_scene(const Scene& stated) {
   input.elements = std::move(bending.elements);
   input.own = std::move(bending.own);
   input.directors = std::move(bending.directors);
+  if (!scene.pins.symmetric.empty()) {
+    const std::vector<char>& slopes = input.directors.held;
+    if (slopes.empty() && stated.bending.model.kind().bends)
+      throw ConfigError("/pins", {{"/pins/symmetry",
+                                   fmt::format("the bending model '{}' cannot hold the slope at a plane of "
+                                               "symmetry: choose dkt, or simulate both halves",
+                                               stated.bending.model.name())}});
+    input.held.insert(input.held.end(), slopes.begin(), slopes.end());
+  }
   check_own_elements(input, stated.bending.model.kind());
   check_held(input);
   if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);

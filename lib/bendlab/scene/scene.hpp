@@ -54,6 +54,7 @@ struct Pinning {
   std::vector<int> indices;
   std::vector<Place> hold_x, hold_y, hold_z;
   std::vector<int> hold_x_indices, hold_y_indices, hold_z_indices;
+  std::vector<CoordinateAxis> symmetry;  ///< axes whose held vertices are on planes of symmetry
   int ring = 0;
   double distance = 0;  ///< m
 };
@@ -123,8 +124,8 @@ struct Softening {
 
 /// Internal friction: M = B κ ± moment.
 struct BendingFriction {
-  std::optional<double> hb;  ///< HB, N
-  std::optional<double> slip;    ///< 1/m; absent: a fifth of HB / B
+  std::optional<double> hb;    ///< HB, N
+  std::optional<double> slip;  ///< 1/m; absent: a fifth of HB / B
   bool is_given() const { return hb || slip; }
 };
 

@@ -229,6 +229,11 @@ constexpr std::array pins = {
               .meaning = "Vertices that keep their coordinate y, by index", .minimum = 0}),
       field<&Pinning::hold_z_indices>({.name = "hold_z_indices", .unit = "1",
               .meaning = "Vertices that keep their coordinate z, by index", .minimum = 0}),
+      field<&Pinning::symmetry>({.name = "symmetry",
+              .meaning = "Axes along which the vertices of hold_x, hold_y or hold_z are held on a plane of "
+                         "symmetry: the sheet keeps its slope there, too. Needs the bending model dkt, whose "
+                         "unknowns are the slopes at vertices",
+              .choices = coordinate_axis_names}),
       field<&Pinning::ring>({.name = "ring", .unit = "1",
                 .meaning = "How many rings of neighbours around each pinned vertex are pinned, too. The "
                            "paper pins one ring; such a clamp becomes smaller if the mesh is refined",
@@ -252,8 +257,8 @@ const std::array material = {
               .minimum = 0, .above = true}),
     field<&Material::youngs_modulus>({.name = "youngs_modulus", .unit = "Pa",
               .meaning = "Young's modulus E of a shell of thickness h. membrane_stiffness is then E h, "
-                         "flexural_rigidity is E h³ / 12 (1 - ν²), and the default of /material/strain/form "
-                         "is stvk. Absent: the two stiffnesses are stated themselves",
+                         "flexural_rigidity is E h³ / (12 (1 - ν²)), and the default of "
+                         "/material/strain/form is stvk. Absent: the two stiffnesses are stated themselves",
               .minimum = 0, .above = true}),
     field<&Material::thickness>({.name = "thickness", .unit = "m",
               .meaning = "Thickness h of a shell that has a youngs_modulus",

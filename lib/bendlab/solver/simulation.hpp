@@ -71,9 +71,9 @@ struct SimulationInput {
   Positions rest;        ///< #V by 3, m: collapsed elements open towards it; empty: they do not open
   Vector3 origin = Vector3::Zero();  ///< coordinates are kept relative to it, m
   double size = 1;  ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
-  std::vector<double> mass;      ///< #V, kg
-  std::vector<char> is_pinned;   ///< #V
-  std::vector<char> held;        ///< see Pins::held; for methods with MethodKind::holds_axes
+  std::vector<double> mass;     ///< #V, kg
+  std::vector<char> is_pinned;  ///< #V
+  std::vector<char> held;       ///< #V or #P: see Pins::held and Directors::held; MethodKind::holds_axes
   std::vector<int> permutation;  ///< #V, each vertex's index in the solver's arrays; empty: no change
 
   StrainConstraints strain;

@@ -197,9 +197,12 @@ Directors normals_of(const BendingInput& input, const std::vector<RestFace>& fac
       if (is_clamp) clamps.try_emplace(v, face.vertices);
     }
   }
+  directors.held = input.pins.symmetric;  // a normal lies in the planes of symmetry through its vertex
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const auto at = static_cast<std::size_t>(v);
     directors.vertices.push_back({v, v});
+    for (int axis = 0; axis < 3; ++axis)
+      if (directors.is_held(v, axis)) directors.rest(v, axis) = 0;
     if (directors.rest.row(v).norm() > 0)
       directors.rest.row(v) *= std::sqrt(area[at]) / directors.rest.row(v).norm();
     else
