@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -97,19 +98,20 @@ Message mixed_sides(const WarningInput& input) {
 Message doubtful_effect(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const std::vector<double>& areas = input.scene.rest.areas();
-  if (!scene.method.kind().has_motion) return std::nullopt;
   std::optional<Doubt> largest;
   for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
     const Effect& effect = input.scene.effects[index];
     if (effect.kind().doubt == nullptr) continue;
     std::optional<Doubt> doubt = effect.kind().doubt(
-        effect.settings(), {.rest = input.scene.rest,
-                            .density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
-                                       std::accumulate(areas.begin(), areas.end(), 0.0),
-                            .gravity = gravity_of(input.scene.effects).norm(),
-                            .substep = scene.settings.dt / scene.settings.substeps,
-                            .substeps = scene.settings.substeps,
-                            .where = fmt::format("/effects/{} ({})", index, effect.name())});
+        effect.settings(),
+        {.rest = input.scene.rest,
+         .pins = input.scene.pins,
+         .density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
+                    std::accumulate(areas.begin(), areas.end(), 0.0),
+         .gravity = gravity_of(input.scene.effects).norm(),
+         .substep = scene.method.kind().has_motion ? scene.settings.dt / scene.settings.substeps : 0,
+         .substeps = scene.settings.substeps,
+         .where = fmt::format("/effects/{} ({})", index, effect.name())});
     if (doubt && (!largest || doubt->size > largest->size)) largest = std::move(doubt);
   }
   if (!largest) return std::nullopt;
@@ -179,6 +181,52 @@ Message all_pinned(const WarningInput& input) {
       "mesh's box. If the mesh stands upright, choose other places, or use /pins/indices. A smaller "
       "/pins/ring or /pins/distance pins fewer vertices",
       vertices);
+}
+
+// ---- no_symmetry_plane
+
+namespace {
+
+// A border edge is held like a plane of symmetry if both ends keep the coordinate along an axis that points
+// across the border, in the sheet. Not if the third vertex of the triangle is pinned, because then the sheet
+// cannot turn about the edge.
+bool held_across(const RestMesh& rest, const Pins& pins, const HalfEdge<int>& side, int axis) {
+  const auto corners = rest.triangles().row(side.triangle());
+  const int c = side.corner(), a = corners(c), b = corners((c + 1) % 3), top = corners((c + 2) % 3);
+  const auto held = [&](int v) {
+    const auto at = static_cast<std::size_t>(v);
+    const int turning = pins.held[at] & ~(pins.symmetric.empty() ? 0 : pins.symmetric[at]);
+    return !pins.pinned(v) && (turning & (1 << axis)) != 0;
+  };
+  if (!held(a) || !held(b) || pins.pinned(top)) return false;
+  const Vector3 edge = (rest.position(b) - rest.position(a)).normalized();
+  const Vector3 offset = rest.position(top) - rest.position(a);
+  const Vector3 across = (offset - offset.dot(edge) * edge).normalized();
+  constexpr double along_axis = 0.99;  // cosine
+  return std::abs(across[axis]) > along_axis;
+}
+
+}  // namespace
+
+Message no_symmetry_plane(const WarningInput& input) {
+  const BuiltScene& scene = input.scene;
+  if (scene.pins.held.empty() || !input.config.scene().bending.model.kind().bends) return std::nullopt;
+  std::array<int, 3> edges{};
+  for_each_edge(half_edges(scene.rest.triangles()), [&](std::span<const HalfEdge<int>> sides) {
+    if (sides.size() != 1) return;
+    for (int axis = 0; axis < 3; ++axis)
+      edges[static_cast<std::size_t>(axis)] += held_across(scene.rest, scene.pins, sides.front(), axis);
+  });
+  const auto most = std::ranges::max_element(edges);
+  if (*most == 0) return std::nullopt;
+  const std::string axis(1, static_cast<char>('x' + (most - edges.begin())));
+  return WarningText(
+      fmt::format(
+          "/pins/hold_{} keeps {} border edges on a plane across the sheet, but the sheet turns "
+          "freely about these edges, so this is no plane of symmetry: the sheet has no bending moment "
+          "there. Simulate both halves, or name this axis in /pins/symmetry",
+          axis, *most),
+      *most, fmt::format("{} edges", *most));
 }
 
 // ---- units

@@ -311,9 +311,12 @@ Message no_equilibrium(const WarningInput& input) {
       input.scene.effects, [](const Effect& effect) { return effect.kind().force_follows_pose; });
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
-      : blows ? "The force of an effect may change with the pose, and Newton's method ignores this change: "
-                "let the cloth come to rest with the method newton and viscous_drag"
-              : "A longer /duration allows more steps";
+      : blows
+          ? "The force of an effect may change with the pose, and Newton's method ignores this change: "
+            "let the cloth come to rest with the method newton and viscous_drag, as in "
+            "configs/verification/end_moment.json. A sheet that is pinned along one line turns about this "
+            "line: pin the next row of vertices, too (\"ring\": 1 in /pins)"
+          : "A longer /duration allows more steps";
   return WarningText(fmt::format("no equilibrium was found: in the end, the unbalanced forces are {:.2g} "
                                  "times the loads. The metrics of this run describe its last steps. {}",
                                  found->second, remedy),

@@ -33,6 +33,7 @@ Message doubtful_effect(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
+Message no_symmetry_plane(const WarningInput& input);
 Message units(const WarningInput& input);
 Message fabric_without_friction(const WarningInput& input);
 
@@ -53,6 +54,7 @@ Message no_equilibrium(const WarningInput& input);
 Message strip_out_of_range(const WarningInput& input);
 Message doubtful_stiffness(const WarningInput& input);
 Message uneven_stiffness(const WarningInput& input);
+Message other_poisson_ratio(const WarningInput& input);
 Message pushed_membrane(const WarningInput& input);
 
 inline bool has_obstacle(const BuiltScene& scene) {

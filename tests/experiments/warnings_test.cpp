@@ -491,6 +491,55 @@ TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
   fs::remove_all(folder);
 }
 
+TEST_CASE("warnings: a load of which pins take a part", "[warnings]") {
+  const std::string mesh = R"("mesh": {"cells": 4}, "pins": {"vertices": ["left"], "ring": 0}, )";
+  const auto load = [](const char* place, const char* spread) {
+    return fmt::format(
+        R"("effects": [{{"type": "load", "vertices": ["{}"], "force": [0, 0, -1], "spread": "{}"}}])", place,
+        spread);
+  };
+  // One of the five vertices of this side is pinned, and bears the load of half a cell of four.
+  CHECK_THAT(message_of("doubtful_effect", mesh + load("bottom", "equal")),
+             ContainsSubstring("1 of the 5 vertices") && ContainsSubstring("20 % of the force"));
+  CHECK_THAT(message_of("doubtful_effect", mesh + load("bottom", "length")), ContainsSubstring("12 %"));
+  CHECK(codes_of(mesh + load("right", "equal")).empty());
+  const std::string at_rest = R"("solver": {"method": "equilibrium"}, "bending": {"stiffness": "physical"}, )"
+                              R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}, )";
+  CHECK(codes_of(mesh + at_rest + load("bottom", "equal")).contains("doubtful_effect"));
+}
+
+// A sheet of an elastic material: its model, the rest of its material, and its pins, as JSON.
+std::string shell(const std::string& model, const std::string& material, const std::string& pins) {
+  return R"("mesh": {"cells": 4}, "solver": {"method": "equilibrium"}, "bending": {"stiffness": "physical", )"
+         R"("model": ")" +
+         model +
+         R"("}, "material": {"strain": {"stiffness": "physical", "form": "stvk"}, )"
+         R"("youngs_modulus": 1e6, "thickness": 0.05)" +
+         material + R"(}, "pins": {)" + pins + "}";
+}
+
+TEST_CASE("warnings: a border that is held across is no plane of symmetry", "[warnings]") {
+  const auto codes = [](const std::string& pins, const std::string& model = "dkt") {
+    return codes_of(shell(model, "", pins));
+  };
+  const Codes warned = {"no_symmetry_plane"};
+  CHECK(codes(R"("vertices": ["right"], "hold_x": ["left"])") == warned);
+  CHECK(codes(R"("vertices": ["top"], "hold_y": ["bottom"])", "mid_edge") == warned);
+  CHECK(codes(R"("vertices": ["right"], "hold_x": ["left"], "symmetry": ["x"])").empty());
+  CHECK(codes(R"("vertices": ["right"], "hold_y": ["left"], "hold_z": ["left"])").empty());  // a support
+  CHECK(codes(R"("vertices": ["right"], "hold_x": ["centre"])").empty());
+  CHECK(codes(R"("vertices": ["right"], "hold_x": ["left"])", "none").empty());  // bears no moment anyway
+}
+
+TEST_CASE("warnings: a bending model with another Poisson's ratio than the membrane", "[warnings]") {
+  const auto codes = [](const char* model, const std::string& ratio) {
+    return codes_of(shell(model, R"(, "poisson_ratio": )" + ratio, R"("vertices": ["left"])"));
+  };
+  CHECK(codes("discrete_shells", "0.3").contains("other_poisson_ratio"));
+  CHECK(!codes("discrete_shells", "0").contains("other_poisson_ratio"));
+  for (const char* model : {"mid_edge", "dkt", "none"}) CHECK(codes(model, "0.3").empty());
+}
+
 TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") {
   const auto with = [](const char* excess, const char* k) {
     return R"("mesh": {"cells": 4}, "bending": {"model": "prestressed", "k": )" + std::string(k) +

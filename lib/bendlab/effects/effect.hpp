@@ -56,9 +56,10 @@ struct SteadyMotion {
 /// What EffectKind::doubt needs to judge an effect's settings.
 struct DoubtInput {
   const RestMesh& rest;
+  const Pins& pins;
   double density;     ///< kg/m², mean
   double gravity;     ///< m/s²
-  double substep;     ///< s
+  double substep;     ///< s; 0: the method has no time
   int substeps;       ///< per time step
   std::string where;  ///< "/effects/2 (wind)"
 };
@@ -97,7 +98,7 @@ struct EffectKind {
   bool keeps_angular_momentum = false;
   bool damps = false;               ///< only removes energy from the cloth; does nothing at rest
   bool bounds_strain = false;       ///< limits stretch; at rest it may carry loads in place of the membrane
-  bool uses_sides = false;  ///< its force depends on which side of each triangle is the front
+  bool uses_sides = false;          ///< its force depends on which side of each triangle is the front
   bool force_follows_pose = false;  ///< also at rest: an equilibrium depends on the force
   double vertex_seconds = 3e-9;     ///< approximate CPU time per vertex and substep, s
 

@@ -1,4 +1,6 @@
 // A dead or follower load on vertices, along an edge or over an area.
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <array>
 #include <span>
@@ -81,7 +83,8 @@ class Loading {
  public:
   Loading(const Load& settings, const EffectInput& input) : force_(settings.force), growth_(settings) {
     check_schedule(settings);
-    const std::vector<int> vertices = loaded_vertices(input, settings.vertices, settings.indices);
+    const std::vector<int> vertices =
+        loaded_vertices(input.rest, input.pins, settings.vertices, settings.indices);
     share_ = shares(settings, vertices, input.rest);
     for (const int v : vertices) at_.push_back(input.permuted(v));
     if (!settings.follows) return;
@@ -150,6 +153,25 @@ double largest_force(const Load& settings, double) {
   return settings.largest() * settings.force.norm();
 }
 
+// A pinned vertex takes its share of the force to the pin.
+std::optional<Doubt> doubt(const Load& settings, const DoubtInput& input) {
+  if (idle(settings)) return std::nullopt;
+  const std::vector<int> vertices =
+      loaded_vertices(input.rest, input.pins, settings.vertices, settings.indices);
+  const std::vector<double> share = shares(settings, vertices, input.rest);
+  double lost = 0;
+  int pinned = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    if (input.pins.pinned(vertices[i])) lost += share[i], ++pinned;
+  constexpr double seen = 0.01;
+  if (!(lost > seen)) return std::nullopt;
+  return Doubt{
+      fmt::format("{}: {} of the {} vertices of the load are pinned, so {:.2g} % of the force moves nothing. "
+                  "Name vertices without pins if the cloth should bear the whole force",
+                  input.where, pinned, vertices.size(), 100 * lost),
+      lost, fmt::format("{:.2g} %", 100 * lost)};
+}
+
 }  // namespace
 
 constinit const EffectKind Load::kind{
@@ -166,5 +188,6 @@ constinit const EffectKind Load::kind{
     .idle = erased<idle>,
     .drives = erased<drives>,
     .largest_force = erased<largest_force>,
+    .doubt = erased<doubt>,
 };
 }  // namespace bendlab

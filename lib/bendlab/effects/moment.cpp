@@ -51,26 +51,32 @@ struct Couple {
 };
 
 std::vector<Couple> couples(const EdgeMoment& settings, const EffectInput& input) {
-  const std::vector<int> vertices = loaded_vertices(input, settings.vertices, settings.indices);
+  const std::vector<int> vertices =
+      loaded_vertices(input.rest, input.pins, settings.vertices, settings.indices);
   const auto is_listed = [&](int v) { return std::ranges::binary_search(vertices, v); };
   std::vector<Couple> couples;
   double length = 0;
+  int pinned = 0;
   const Triangles& triangles = input.rest.triangles();
   for_each_edge(half_edges(triangles), [&](std::span<const HalfEdge<int>> sides) {
     const HalfEdge<int>& side = sides.front();
     if (sides.size() != 1 || !is_listed(side.low) || !is_listed(side.high)) return;
     const int c = side.corner(), t = side.triangle(), a = triangles(t, c), b = triangles(t, (c + 1) % 3),
               top = triangles(t, (c + 2) % 3);
-    if (input.pins.pinned(top)) return;
+    if (input.pins.pinned(top)) {
+      ++pinned;
+      return;
+    }
     const double of_edge = (input.rest.position(a) - input.rest.position(b)).norm();
     couples.push_back({input.permuted(a), input.permuted(b), input.permuted(top), of_edge});
     length += of_edge;
   });
   if (couples.empty())
     throw std::invalid_argument(
-        "vertices: no border edge with a free triangle joins two of these vertices, so there is no triangle "
-        "on "
-        "which a couple could act: name at least two neighbours on a border, such as a whole side");
+        pinned > 0 ? "vertices: the triangles at this border end in pinned vertices, so a couple of forces "
+                     "could not turn these triangles: use more cells between the border and the pins"
+                   : "vertices: no border edge joins two of these vertices, so there is no triangle on which "
+                     "a couple of forces could act: name neighbours on a border, such as a whole side");
   for (Couple& couple : couples) couple.moment *= settings.moment / length;
   return couples;
 }

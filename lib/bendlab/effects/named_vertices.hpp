@@ -12,20 +12,20 @@ namespace bendlab {
 /// The vertices that a load lists by place and by index, ascending; all free vertices if it lists none.
 /// Throws std::invalid_argument for a vertex that is not in the mesh, and for listed vertices that are all
 /// pinned, because a load on a pinned vertex does nothing.
-std::vector<int> loaded_vertices(const EffectInput& input, const std::vector<Place>& places,
+std::vector<int> loaded_vertices(const RestMesh& rest, const Pins& pins, const std::vector<Place>& places,
                                  const std::vector<int>& indices);
 
 /// The rows of GrowingLoad, for a load of this type.
 template <class Growing>
 inline constexpr std::array load_fields = {
     field<&GrowingLoad::ramp, Growing>({.name = "ramp",
-                                     .unit = "s",
-                                     .meaning = "time in which the load grows linearly to its full size",
-                                     .minimum = 0}),
+                                        .unit = "s",
+                                        .meaning = "time in which the load grows linearly to its full size",
+                                        .minimum = 0}),
     field<&Schedule::times, Growing>({.name = "times",
-                                   .unit = "s",
-                                   .meaning = "times of keyframes of the load, ascending; instead of ramp",
-                                   .minimum = 0}),
+                                      .unit = "s",
+                                      .meaning = "times of keyframes of the load, ascending; instead of ramp",
+                                      .minimum = 0}),
     field<&Schedule::factors, Growing>(
         {.name = "factors",
          .unit = "1",

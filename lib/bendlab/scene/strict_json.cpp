@@ -166,7 +166,7 @@ std::string child_pointer(std::string_view parent, std::string_view key) {
 
 std::string given_text(const Json& given) {
   if (given.is_object()) return "an object";
-  if (given.is_array()) return given.empty() ? "an empty list" : "a list";
+  if (given.is_array()) return given.empty() ? "an empty list" : fmt::format("a list of {}", given.size());
   constexpr std::size_t longest = 60;
   const std::string dumped = json_text(given);
   std::size_t end = std::min(longest, dumped.size());
