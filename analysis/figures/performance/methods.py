@@ -27,8 +27,9 @@ def main(bench, out, section):
     section.add_chart(
         table("method_lines", "", ["vertices", "vertex", "kind", "precision"],
               [row for row in rows if row["drawn"]]),
-        title(timed), "vertices", ["vertex"], ["kind", "precision"], id="methods", y_scale="log",
-        look="method", note="Time of a step divided by its iterations. Gradient and solve are parts.")
+        title(timed), "vertices", ["vertex"], ["kind"], id="methods", held=["precision"], at="single",
+        y_scale="log", look="",
+        note="Time of a step divided by its iterations. Gradient and solve are parts.")
 
 
 def title(timed):
