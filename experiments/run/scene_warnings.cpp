@@ -183,13 +183,37 @@ Message all_pinned(const WarningInput& input) {
       vertices);
 }
 
+// ---- other_extent
+
+// Whole rows of equilateral triangles do not fill every rectangle. For a shell, whose material is stated, one
+// percent of the length is three percent of a deflection.
+Message other_extent(const WarningInput& input) {
+  const Scene& scene = input.config.scene();
+  const Mesh& mesh = scene.mesh;
+  if (mesh.file || mesh.given || mesh.generator != Generator::equilateral || mesh.surface.is_given() ||
+      !scene.material.youngs_modulus)
+    return std::nullopt;
+  const Positions& rest = input.scene.rest.positions();
+  const Eigen::RowVector3d extent = rest.colwise().maxCoeff() - rest.colwise().minCoeff();
+  const double width = mesh.scale * mesh.width, height = mesh.scale * mesh.height,
+               off = std::max(std::abs(extent.x() / width - 1), std::abs(extent.y() / height - 1));
+  constexpr double seen = 0.005;
+  if (!(off > seen)) return std::nullopt;
+  return WarningText(
+      fmt::format("the sheet is {:.4g} m by {:.4g} m instead of {:.4g} m by {:.4g} m, because whole "
+                  "equilateral triangles do not fill the stated extents. State extents that suit the rows, "
+                  "use more cells, or set /mesh/generator to grid",
+                  extent.x(), extent.y(), width, height),
+      off, fmt::format("{:.2g} %", 100 * off));
+}
+
 // ---- no_symmetry_plane
 
 namespace {
 
-// A border edge is held like a plane of symmetry if both ends keep the coordinate along an axis that points
-// across the border, in the sheet. Not if the third vertex of the triangle is pinned, because then the sheet
-// cannot turn about the edge.
+// Whether both ends of a border edge keep the coordinate along an axis that lies in the sheet and points
+// across the border, as on a plane of symmetry, and the sheet can turn about the edge. It cannot if the third
+// vertex of the triangle is pinned.
 bool held_across(const RestMesh& rest, const Pins& pins, const HalfEdge<int>& side, int axis) {
   const auto corners = rest.triangles().row(side.triangle());
   const int c = side.corner(), a = corners(c), b = corners((c + 1) % 3), top = corners((c + 2) % 3);
@@ -222,9 +246,11 @@ Message no_symmetry_plane(const WarningInput& input) {
   const std::string axis(1, static_cast<char>('x' + (most - edges.begin())));
   return WarningText(
       fmt::format(
-          "/pins/hold_{} keeps {} border edges on a plane across the sheet, but the sheet turns "
-          "freely about these edges, so this is no plane of symmetry: the sheet has no bending moment "
-          "there. Simulate both halves, or name this axis in /pins/symmetry",
+          "/pins/hold_{0} keeps the coordinate {0} of {1} border edges, and the sheet turns freely about "
+          "these "
+          "edges. So they do not lie on a plane of symmetry, where the sheet would keep its slope. For a "
+          "plane of symmetry, choose the bending model dkt and add \"{0}\" to /pins/symmetry, or simulate "
+          "both halves",
           axis, *most),
       *most, fmt::format("{} edges", *most));
 }

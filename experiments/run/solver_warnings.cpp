@@ -104,6 +104,21 @@ bool is_held(const BuiltScene& scene) {
   return !scene.pins.all.empty() || !scene.pins.held.empty() || has_obstacle(scene);
 }
 
+// Whether nothing but pins on one line holds the cloth.
+bool turns_about_pins(const BuiltScene& scene) {
+  const std::vector<int>& pins = scene.pins.all;
+  if (pins.empty() || !scene.pins.held.empty() || has_obstacle(scene)) return false;
+  const auto from_first = [&](int v) -> Vector3 {
+    return scene.rest.position(v) - scene.rest.position(pins.front());
+  };
+  const Vector3 along = from_first(*std::ranges::max_element(pins, {}, [&](int v) {
+                          return from_first(v).norm();
+                        })).normalized();
+  constexpr double on_line = 1e-6;  // sizes of the mesh
+  return std::ranges::all_of(
+      pins, [&](int v) { return from_first(v).cross(along).norm() <= on_line * scene.rest.size(); });
+}
+
 // Whether the membrane stretches, but its stiffness was not measured (in a run with coarse levels, the
 // stiffness is not measured).
 bool stretches_unmeasured(const std::map<std::string, double>& summary) {
@@ -311,12 +326,13 @@ Message no_equilibrium(const WarningInput& input) {
       input.scene.effects, [](const Effect& effect) { return effect.kind().force_follows_pose; });
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
-      : blows
-          ? "The force of an effect may change with the pose, and Newton's method ignores this change: "
-            "let the cloth come to rest with the method newton and viscous_drag, as in "
-            "configs/verification/end_moment.json. A sheet that is pinned along one line turns about this "
-            "line: pin the next row of vertices, too (\"ring\": 1 in /pins)"
-          : "A longer /duration allows more steps";
+      : blows && turns_about_pins(input.scene)
+          ? "All pins are on one line, and the cloth can turn about this line: pin the next row of vertices, "
+            "too (\"ring\": 1 in /pins)"
+      : blows ? "The force of an effect may change with the pose, and Newton's method ignores this change: "
+                "let the cloth come to rest with the method newton and viscous_drag, as in "
+                "configs/verification/end_moment.json"
+              : "A longer /duration allows more steps";
   return WarningText(fmt::format("no equilibrium was found: in the end, the unbalanced forces are {:.2g} "
                                  "times the loads. The metrics of this run describe its last steps. {}",
                                  found->second, remedy),

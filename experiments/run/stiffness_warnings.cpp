@@ -64,11 +64,10 @@ Message other_poisson_ratio(const WarningInput& input) {
   const std::optional<double> own = fact(input, "poisson_ratio");
   return WarningText(
       fmt::format(
-          "the membrane has the stated Poisson's ratio of {:.3g}, but the bending model {} has {}. Choose "
-          "{} to bend with the stated ratio",
+          "the membrane has the stated Poisson's ratio of {:.3g}, but the bending model {} has {}. To bend "
+          "with the stated ratio, choose one of the models {}",
           stated, model.name,
-          own ? fmt::format("{:.2g} on this mesh", *own)
-              : std::string("a ratio of its own, which cannot be measured on this mesh"),
+          own ? fmt::format("a ratio of {:.2g} on this mesh", *own) : std::string("a ratio of its own"),
           fmt::join(with_ratio, ", ")),
       own ? std::abs(*own - stated) : 0, own ? fmt::format("{:.2g} instead of {:.3g}", *own, stated) : "");
 }

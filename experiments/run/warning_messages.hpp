@@ -33,6 +33,7 @@ Message doubtful_effect(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
+Message other_extent(const WarningInput& input);
 Message no_symmetry_plane(const WarningInput& input);
 Message units(const WarningInput& input);
 Message fabric_without_friction(const WarningInput& input);

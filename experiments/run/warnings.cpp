@@ -22,6 +22,7 @@ constexpr std::array kinds = {
     WarningKind{"starts_inside", "cloth starts inside an obstacle", true, starts_inside},
     WarningKind{"far_vertex", "a vertex is very far from its neighbours", true, far_vertex},
     WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
+    WarningKind{"other_extent", "a shell is smaller or larger than stated", true, other_extent},
     WarningKind{"no_symmetry_plane", "the sheet turns freely about a border that is held across", true,
                 no_symmetry_plane},
     WarningKind{"inert_stiffness", "a stiffness is set that the chosen kind of stiffness does not read", true,

@@ -477,6 +477,15 @@ TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
   CHECK_THAT(message_of("no_equilibrium", settings, &unbalanced), ContainsSubstring("A longer /duration"));
   CHECK_THAT(message_of("no_equilibrium", settings + R"(, "pins": {"vertices": []})", &unbalanced),
              ContainsSubstring("Nothing holds the cloth"));
+  const auto rolled = [&](const char* ring) {
+    return message_of("no_equilibrium",
+                      settings + R"(, "effects": [{"type": "moment", "vertices": ["right"], "moment": 1e-3}],
+      "pins": {"vertices": ["left"], "ring": )" +
+                          ring + "}",
+                      &unbalanced);
+  };
+  CHECK_THAT(rolled("0"), ContainsSubstring("pin the next row"));
+  CHECK_THAT(rolled("1"), ContainsSubstring("method newton"));
   for (const RunStatus status : {RunStatus::interrupted, RunStatus::diverged})
     CHECK(codes_of(settings, &unbalanced, status).empty());  // the run was stopped or diverged
 
@@ -529,6 +538,23 @@ TEST_CASE("warnings: a border that is held across is no plane of symmetry", "[wa
   CHECK(codes(R"("vertices": ["right"], "hold_y": ["left"], "hold_z": ["left"])").empty());  // a support
   CHECK(codes(R"("vertices": ["right"], "hold_x": ["centre"])").empty());
   CHECK(codes(R"("vertices": ["right"], "hold_x": ["left"])", "none").empty());  // bears no moment anyway
+}
+
+TEST_CASE("warnings: equilateral triangles that do not fill the stated extents of a shell", "[warnings]") {
+  const auto message = [](const char* width, const char* material) {
+    return message_of(
+        "other_extent",
+        fmt::format(R"("pins": {{"vertices": ["left"]}}, "mesh": {{"generator": "equilateral", "height": 1,
+      "cells": 8, "width": {}}}, "bending": {{"stiffness": "physical"}},
+      "material": {{"strain": {{"stiffness": "physical"}}{}}})",
+                    width, material));
+  };
+  const char* const shell = R"(, "youngs_modulus": 1e6, "thickness": 0.05)";
+  // The rows are parallel to the pinned side. An edge is an eighth of the long side, and rows are √3/2 edges
+  // apart: 9 rows instead of 9.24.
+  CHECK_THAT(message("1", shell), ContainsSubstring("0.9743 m by 1 m instead of 1 m by 1 m"));
+  CHECK(message("0.866025", shell).empty());
+  CHECK(message("1", "").empty());
 }
 
 TEST_CASE("warnings: a bending model with another Poisson's ratio than the membrane", "[warnings]") {

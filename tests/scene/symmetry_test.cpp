@@ -81,6 +81,9 @@ TEST_CASE("a plane of symmetry needs held vertices, and a model with slopes at v
   CHECK_THROWS_WITH(simulate(scene),
                     ContainsSubstring("no vertex is held along x") && ContainsSubstring("/pins/hold_x"));
   scene = plate(1, 4, 1);
+  scene.pins.symmetry = {CoordinateAxis::z};  // the plane of the sheet
+  CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("right angle") && ContainsSubstring("/pins/hold_z"));
+  scene = plate(1, 4, 1);
   scene.bending.model = MidEdge{};
   CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("choose dkt"));
 }

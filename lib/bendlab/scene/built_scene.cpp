@@ -155,6 +155,42 @@ void hold(Pins& pins, const RestMesh& rest, int axis, const std::string& setting
   }
 }
 
+// Marks the held vertices on planes of symmetry. A smooth sheet crosses such a plane at a right angle.
+void mark_symmetry(Pins& pins, const RestMesh& rest, const std::vector<CoordinateAxis>& planes) {
+  if (planes.empty()) return;
+  const auto refuse = [](const std::string& problem) {
+    throw ConfigError("/pins", {{"/pins/symmetry", problem}});
+  };
+  pins.symmetric.resize(pins.is_pinned.size(), 0);
+  for (const CoordinateAxis plane : planes) {
+    const int axis = static_cast<int>(plane);
+    const std::string_view name = coordinate_axis_names[static_cast<std::size_t>(axis)];
+    bool found = false;
+    for (std::size_t v = 0; v < pins.held.size(); ++v)
+      if ((pins.held[v] >> axis & 1) != 0) found = true, pins.symmetric[v] |= static_cast<char>(1 << axis);
+    if (!found)
+      refuse(
+          fmt::format("no vertex is held along {0}: name the vertices on the plane of symmetry in "
+                      "/pins/hold_{0}",
+                      name));
+    constexpr double steepest = 0.5;  // along the axis, of a unit normal; triangles are not smooth
+    for (int t = 0; t < rest.triangle_count(); ++t) {
+      const auto corner = rest.triangles().row(t);
+      for (int c = 0; c < 3; ++c) {
+        if ((pins.symmetric[static_cast<std::size_t>(corner(c))] >> axis & 1) == 0) continue;
+        const Vector3 p = rest.position(corner(0)),
+                      normal = (rest.position(corner(1)) - p).cross(rest.position(corner(2)) - p);
+        if (std::abs(normal[axis]) > steepest * normal.norm())
+          refuse(
+              fmt::format("at vertex {0} the sheet does not cross a plane of constant {1} at a right angle, "
+                          "so this is no plane of symmetry: name another axis, or remove the vertex from "
+                          "/pins/hold_{1}",
+                          corner(c), name));
+      }
+    }
+  }
+}
+
 Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
              bool renumbered, const Vector3& down) {
   const Pinning& pinning = scene.pins;
@@ -182,18 +218,7 @@ Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::st
   hold(pins, rest, 0, "hold_x", pinning.hold_x, pinning.hold_x_indices);
   hold(pins, rest, 1, "hold_y", pinning.hold_y, pinning.hold_y_indices);
   hold(pins, rest, 2, "hold_z", pinning.hold_z, pinning.hold_z_indices);
-  for (const CoordinateAxis plane : pinning.symmetry) {
-    const auto bit = static_cast<char>(1 << static_cast<int>(plane));
-    pins.symmetric.resize(pins.is_pinned.size(), 0);
-    for (std::size_t v = 0; v < pins.held.size(); ++v)
-      pins.symmetric[v] = static_cast<char>(pins.symmetric[v] | (pins.held[v] & bit));
-    if (std::ranges::none_of(pins.symmetric, [&](char axes) { return (axes & bit) != 0; }))
-      throw ConfigError(
-          "/pins",
-          {{"/pins/symmetry", fmt::format("no vertex is held along {0}: name the vertices on the plane of "
-                                          "symmetry in /pins/hold_{0}",
-                                          coordinate_axis_names[static_cast<std::size_t>(plane)])}});
-  }
+  mark_symmetry(pins, rest, pinning.symmetry);
   return pins;
 }
 
