@@ -114,7 +114,8 @@ const std::array mesh = {
     field<&Mesh::generator>({.name = "generator",
               .meaning = "How the mesh is made. grid: squares split into triangles. equilateral: equilateral "
                          "triangles, in whole rows, to which the extents are rounded. delaunay: irregular, "
-                         "from random points. disc: concentric rings; cells is the number of rings. tube: the side of a cylinder or cone around z; cells is "
+                         "from random points. disc: concentric rings; cells is the number of rings. "
+                         "tube: the side of a cylinder or cone around z; cells is "
                          "the number of columns. sphere: an inflated octahedron whose edges are split into "
                          "cells parts",
               .choices = generator_names, .read_when = generated}),
