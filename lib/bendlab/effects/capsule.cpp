@@ -3,7 +3,7 @@
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
-namespace {
+namespace capsule_effect {
 
 template <class Real>
 struct Segment {
@@ -62,7 +62,7 @@ TriangleMesh surface(const Capsule& settings, const SurfaceInput&) {
   return revolved(profile, settings.a, along.normalized());
 }
 
-}  // namespace
+}  // namespace capsule_effect
 
 constinit const EffectKind Capsule::kind{
     .name = "capsule",
@@ -70,13 +70,13 @@ constinit const EffectKind Capsule::kind{
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
         "(cutting planes)",
-    .settings = table_of<Capsule>(fields),
+    .settings = table_of<Capsule>(capsule_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .motion = erased<motion>,
-    .surface = erased<surface>,
+    .compile_float = erased<capsule_effect::compile<float>>,
+    .compile_double = erased<capsule_effect::compile<double>>,
+    .motion = erased<capsule_effect::motion>,
+    .surface = erased<capsule_effect::surface>,
 };
 }  // namespace bendlab

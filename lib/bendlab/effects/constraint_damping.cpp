@@ -7,7 +7,7 @@
 #include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
-namespace {
+namespace constraint_damping_effect {
 
 constexpr std::array fields = {
     field<&ConstraintDamping::rate>(
@@ -43,19 +43,19 @@ bool idle(const ConstraintDamping& settings) {
   return settings.rate == 0;
 }
 
-}  // namespace
+}  // namespace constraint_damping_effect
 
 constinit const EffectKind ConstraintDamping::kind{
     .name = "constraint_damping",
     .summary = "damps the rate of change of every constraint; preserves linear and angular momentum",
     .source = "Müller et al. 2014, eq. 23; for unequal masses changed so that it dissipates energy",
-    .settings = table_of<ConstraintDamping>(fields),
+    .settings = table_of<ConstraintDamping>(constraint_damping_effect::fields),
     .needs_projection = true,
     .keeps_momentum = true,
     .keeps_angular_momentum = true,
     .damps = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
+    .compile_float = erased<constraint_damping_effect::compile<float>>,
+    .compile_double = erased<constraint_damping_effect::compile<double>>,
+    .idle = erased<constraint_damping_effect::idle>,
 };
 }  // namespace bendlab

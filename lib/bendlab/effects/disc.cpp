@@ -5,7 +5,7 @@
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
-namespace {
+namespace disc_effect {
 
 template <class Real>
 struct FlatDisc {
@@ -77,7 +77,7 @@ TriangleMesh surface(const Disc& settings, const SurfaceInput&) {
   return revolved(profile, settings.centre, obstacle::direction_of(settings.axis, "axis"));
 }
 
-}  // namespace
+}  // namespace disc_effect
 
 constinit const EffectKind Disc::kind{
     .name = "disc",
@@ -85,13 +85,13 @@ constinit const EffectKind Disc::kind{
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
         "(cutting planes)",
-    .settings = table_of<Disc>(fields),
+    .settings = table_of<Disc>(disc_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .motion = erased<motion>,
-    .surface = erased<surface>,
+    .compile_float = erased<disc_effect::compile<float>>,
+    .compile_double = erased<disc_effect::compile<double>>,
+    .motion = erased<disc_effect::motion>,
+    .surface = erased<disc_effect::surface>,
 };
 }  // namespace bendlab

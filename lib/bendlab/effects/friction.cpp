@@ -17,7 +17,7 @@
 #include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
-namespace {
+namespace friction_effect {
 
 constexpr std::array fields = {
     field<&Friction::at_rest>({.name = "static",
@@ -129,19 +129,19 @@ std::optional<Doubt> doubt(const Friction& settings, const DoubtInput& input) {
                   input.where, settings.kinetic, settings.at_rest, settings.kinetic)};
 }
 
-}  // namespace
+}  // namespace friction_effect
 
 constinit const EffectKind Friction::kind{
     .name = "friction",
     .summary = "Coulomb friction, static and kinetic, where obstacles push the cloth",
     .source = "Macklin et al. 2014, §6.1, with sums over the iterations as in Catto 2005, §4.3",
-    .settings = table_of<Friction>(fields),
+    .settings = table_of<Friction>(friction_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .uses_contacts = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .doubt = erased<doubt>,
+    .compile_float = erased<friction_effect::compile<float>>,
+    .compile_double = erased<friction_effect::compile<double>>,
+    .idle = erased<friction_effect::idle>,
+    .doubt = erased<friction_effect::doubt>,
 };
 }  // namespace bendlab

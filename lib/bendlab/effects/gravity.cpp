@@ -5,7 +5,7 @@
 #include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
-namespace {
+namespace gravity_effect {
 
 constexpr std::array fields = {
     field<&Gravity::acceleration>(
@@ -32,18 +32,18 @@ Vector3 acceleration_of(const Gravity& settings) {
   return settings.acceleration;
 }
 
-}  // namespace
+}  // namespace gravity_effect
 
 constinit const EffectKind Gravity::kind{
     .name = "gravity",
     .summary = "a uniform acceleration of every free vertex",
     .source = "Müller et al. 2007, §3.1: v += h w f",
-    .settings = table_of<Gravity>(fields),
+    .settings = table_of<Gravity>(gravity_effect::fields),
     .keeps_momentum = true,
     .keeps_angular_momentum = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .acceleration = erased<acceleration_of>,
+    .compile_float = erased<gravity_effect::compile<float>>,
+    .compile_double = erased<gravity_effect::compile<double>>,
+    .idle = erased<gravity_effect::idle>,
+    .acceleration = erased<gravity_effect::acceleration_of>,
 };
 }  // namespace bendlab

@@ -10,7 +10,7 @@
 #include "bendlab/effects/named_vertices.hpp"
 
 namespace bendlab {
-namespace {
+namespace load_effect {
 
 constexpr std::array<std::string_view, 3> spreads = {"equal", "length", "area"};
 
@@ -172,7 +172,7 @@ std::optional<Doubt> doubt(const Load& settings, const DoubtInput& input) {
       lost, fmt::format("{:.2g} %", 100 * lost)};
 }
 
-}  // namespace
+}  // namespace load_effect
 
 constinit const EffectKind Load::kind{
     .name = "load",
@@ -180,14 +180,14 @@ constinit const EffectKind Load::kind{
         "forces on vertices, along an edge or over an area, with a fixed direction or turning with the "
         "cloth",
     .source = "v += h w f",
-    .settings = table_of<Load>(fields),
+    .settings = table_of<Load>(load_effect::fields),
     .repeatable = true,
     .force_follows_pose = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .drives = erased<drives>,
-    .largest_force = erased<largest_force>,
-    .doubt = erased<doubt>,
+    .compile_float = erased<load_effect::compile<float>>,
+    .compile_double = erased<load_effect::compile<double>>,
+    .idle = erased<load_effect::idle>,
+    .drives = erased<load_effect::drives>,
+    .largest_force = erased<load_effect::largest_force>,
+    .doubt = erased<load_effect::doubt>,
 };
 }  // namespace bendlab

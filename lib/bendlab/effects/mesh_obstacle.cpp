@@ -21,7 +21,7 @@
 #include "bendlab/mesh/mesh_surface.hpp"
 
 namespace bendlab {
-namespace {
+namespace mesh_obstacle_effect {
 
 constexpr std::array own_fields = {
     field<&MeshObstacle::file>({.name = "file",
@@ -324,19 +324,19 @@ std::vector<Pass<Real>> compile(const MeshObstacle& settings, const EffectInput&
            [obstacle](Archive& state) { obstacle->archive(state); }}};
 }
 
-}  // namespace
+}  // namespace mesh_obstacle_effect
 
 constinit const EffectKind MeshObstacle::kind{
     .name = "mesh_obstacle",
     .summary = "an obstacle: a triangle mesh from a file, closed or open",
     .source = "nearest points by CGAL's AABB tree; inside or outside by Bærentzen & Aanæs 2005",
-    .settings = table_of<MeshObstacle>(fields),
+    .settings = table_of<MeshObstacle>(mesh_obstacle_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .motion = erased<motion>,
-    .surface = erased<surface>,
+    .compile_float = erased<mesh_obstacle_effect::compile<float>>,
+    .compile_double = erased<mesh_obstacle_effect::compile<double>>,
+    .motion = erased<mesh_obstacle_effect::motion>,
+    .surface = erased<mesh_obstacle_effect::surface>,
 };
 }  // namespace bendlab

@@ -21,7 +21,7 @@
 #include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
-namespace {
+namespace moment_effect {
 
 constexpr std::array own_fields = {
     field<&EdgeMoment::vertices>({.name = "vertices",
@@ -125,22 +125,22 @@ double largest_force(const EdgeMoment& settings, double area) {
   return settings.largest() * 2 * std::numbers::pi * std::abs(settings.moment) / std::sqrt(area);
 }
 
-}  // namespace
+}  // namespace moment_effect
 
 constinit const EffectKind EdgeMoment::kind{
     .name = "moment",
     .summary = "a bending moment at a border of the cloth, as couples of forces on the last row of triangles",
     .source = "couple m = h f on each border triangle, with the present heights and normals",
-    .settings = table_of<EdgeMoment>(fields),
+    .settings = table_of<EdgeMoment>(moment_effect::fields),
     .repeatable = true,
     .keeps_momentum = true,
     .keeps_angular_momentum = false,
     .uses_sides = true,
     .force_follows_pose = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .drives = erased<drives>,
-    .largest_force = erased<largest_force>,
+    .compile_float = erased<moment_effect::compile<float>>,
+    .compile_double = erased<moment_effect::compile<double>>,
+    .idle = erased<moment_effect::idle>,
+    .drives = erased<moment_effect::drives>,
+    .largest_force = erased<moment_effect::largest_force>,
 };
 }  // namespace bendlab

@@ -13,7 +13,7 @@
 #include "bendlab/settings/names.hpp"
 
 namespace bendlab {
-namespace {
+namespace moving_pins_effect {
 
 constexpr std::array<std::string_view, 2> interpolations = {"linear", "smooth"};
 
@@ -220,7 +220,7 @@ bool drives(const MovingPins&) {
   return true;
 }
 
-}  // namespace
+}  // namespace moving_pins_effect
 
 constinit const EffectKind MovingPins::kind{
     .name = "moving_pins",
@@ -228,15 +228,15 @@ constinit const EffectKind MovingPins::kind{
         "pinned vertices follow keyframes exactly; if several effects of this kind move a vertex, the last "
         "effect counts",
     .source = "prescribed motion: start + offset, after a turn about an axis if angles are given",
-    .settings = table_of<MovingPins>(fields),
+    .settings = table_of<MovingPins>(moving_pins_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
     .needs_pins = true,
     .moves_pins = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .drives = erased<drives>,
+    .compile_float = erased<moving_pins_effect::compile<float>>,
+    .compile_double = erased<moving_pins_effect::compile<double>>,
+    .idle = erased<moving_pins_effect::idle>,
+    .drives = erased<moving_pins_effect::drives>,
 };
 }  // namespace bendlab

@@ -2,7 +2,7 @@
 #include "bendlab/effects/obstacle.hpp"
 
 namespace bendlab {
-namespace {
+namespace plane_effect {
 
 constexpr std::array own_fields = {
     field<&Plane::point>(
@@ -50,19 +50,19 @@ TriangleMesh surface(const Plane& settings, const SurfaceInput& input) {
   return mesh;
 }
 
-}  // namespace
+}  // namespace plane_effect
 
 constinit const EffectKind Plane::kind{
     .name = "plane",
     .summary = "an obstacle: a half space that the cloth does not enter",
     .source = "Müller et al. 2007, §3.4 (static collision constraint, projected as an inequality)",
-    .settings = table_of<Plane>(fields),
+    .settings = table_of<Plane>(plane_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .motion = erased<motion>,
-    .surface = erased<surface>,
+    .compile_float = erased<plane_effect::compile<float>>,
+    .compile_double = erased<plane_effect::compile<double>>,
+    .motion = erased<plane_effect::motion>,
+    .surface = erased<plane_effect::surface>,
 };
 }  // namespace bendlab

@@ -6,7 +6,7 @@
 #include "bendlab/effects/named_vertices.hpp"
 
 namespace bendlab {
-namespace {
+namespace pressure_effect {
 
 constexpr std::array own_fields = {
     field<&Pressure::pressure>({.name = "pressure",
@@ -56,20 +56,20 @@ double largest_force(const Pressure& settings, double area) {
   return settings.largest() * std::abs(settings.pressure) * area;
 }
 
-}  // namespace
+}  // namespace pressure_effect
 
 constinit const EffectKind Pressure::kind{
     .name = "pressure",
     .summary = "a pressure on a side of the cloth, along its present normals",
     .source = "force p A n on each triangle, a third on each corner",
-    .settings = table_of<Pressure>(fields),
+    .settings = table_of<Pressure>(pressure_effect::fields),
     .repeatable = true,
     .uses_sides = true,
     .force_follows_pose = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .drives = erased<drives>,
-    .largest_force = erased<largest_force>,
+    .compile_float = erased<pressure_effect::compile<float>>,
+    .compile_double = erased<pressure_effect::compile<double>>,
+    .idle = erased<pressure_effect::idle>,
+    .drives = erased<pressure_effect::drives>,
+    .largest_force = erased<pressure_effect::largest_force>,
 };
 }  // namespace bendlab

@@ -7,7 +7,7 @@
 #include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
-namespace {
+namespace rigid_damping_effect {
 
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
@@ -87,18 +87,18 @@ bool idle(const RigidDamping& settings) {
   return settings.rate == 0;
 }
 
-}  // namespace
+}  // namespace rigid_damping_effect
 
 constinit const EffectKind RigidDamping::kind{
     .name = "rigid_damping",
     .summary = "damps deformation; preserves linear and angular momentum of the free vertices",
     .source = "Müller et al. 2007, §3.5, with a rate instead of a factor per step",
-    .settings = table_of<RigidDamping>(fields),
+    .settings = table_of<RigidDamping>(rigid_damping_effect::fields),
     .keeps_momentum = true,
     .keeps_angular_momentum = true,
     .damps = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
+    .compile_float = erased<rigid_damping_effect::compile<float>>,
+    .compile_double = erased<rigid_damping_effect::compile<double>>,
+    .idle = erased<rigid_damping_effect::idle>,
 };
 }  // namespace bendlab

@@ -45,7 +45,7 @@
 #include "bendlab/effects/near_pairs.hpp"
 
 namespace bendlab {
-namespace {
+namespace self_collision_effect {
 
 constexpr std::array fields = {
     field<&SelfCollision::thickness>({.name = "thickness",
@@ -297,19 +297,19 @@ std::optional<Doubt> doubt(const SelfCollision& settings, const DoubtInput& inpu
       settings.thickness / edge, fmt::format("{:.2g} edges", settings.thickness / edge)};
 }
 
-}  // namespace
+}  // namespace self_collision_effect
 
 constinit const EffectKind SelfCollision::kind{
     .name = "self_collision",
     .summary = "layers of cloth keep a distance from each other and never pass through each other",
     .source =
         "Müller et al. 2007, §4.3; Bridson, Fedkiw and Anderson 2002, §6-7; Li, Kaufman and Jiang 2021, §5",
-    .settings = table_of<SelfCollision>(fields),
+    .settings = table_of<SelfCollision>(self_collision_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .vertex_seconds = 1.5e-6,  // 0.6e-6 to 2.7e-6: the larger the more the cloth folds
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .doubt = erased<doubt>,
+    .compile_float = erased<self_collision_effect::compile<float>>,
+    .compile_double = erased<self_collision_effect::compile<double>>,
+    .doubt = erased<self_collision_effect::doubt>,
 };
 }  // namespace bendlab

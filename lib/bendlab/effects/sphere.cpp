@@ -3,7 +3,7 @@
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
-namespace {
+namespace sphere_effect {
 
 // The core of a ball (round_obstacle.hpp) is its centre.
 template <class Real>
@@ -46,7 +46,7 @@ TriangleMesh surface(const Sphere& settings, const SurfaceInput&) {
   return revolved(arc(settings.radius, -1, 1), settings.centre, Vector3::UnitZ());
 }
 
-}  // namespace
+}  // namespace sphere_effect
 
 constinit const EffectKind Sphere::kind{
     .name = "sphere",
@@ -54,13 +54,13 @@ constinit const EffectKind Sphere::kind{
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); for edges Kelley 1960 "
         "(cutting planes)",
-    .settings = table_of<Sphere>(fields),
+    .settings = table_of<Sphere>(sphere_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .motion = erased<motion>,
-    .surface = erased<surface>,
+    .compile_float = erased<sphere_effect::compile<float>>,
+    .compile_double = erased<sphere_effect::compile<double>>,
+    .motion = erased<sphere_effect::motion>,
+    .surface = erased<sphere_effect::surface>,
 };
 }  // namespace bendlab

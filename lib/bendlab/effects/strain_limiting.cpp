@@ -23,7 +23,7 @@
 #include "bendlab/mesh/material_coordinates.hpp"
 
 namespace bendlab {
-namespace {
+namespace strain_limiting_effect {
 
 constexpr std::array fields = {
     field<&StrainLimiting::min>({.name = "min",
@@ -163,7 +163,7 @@ std::vector<Pass<Real>> compile(const StrainLimiting& settings, const EffectInpu
            }}};
 }
 
-}  // namespace
+}  // namespace strain_limiting_effect
 
 constinit const EffectKind StrainLimiting::kind{
     .name = "strain_limiting",
@@ -171,11 +171,11 @@ constinit const EffectKind StrainLimiting::kind{
     .source =
         "Wang, O'Brien and Ramamoorthi 2010 (one triangle is limited by its singular values); the turn that "
         "preserves angular momentum is not from a paper",
-    .settings = table_of<StrainLimiting>(fields),
+    .settings = table_of<StrainLimiting>(strain_limiting_effect::fields),
     .needs_projection = true,
     .keeps_momentum = true,
     .bounds_strain = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
+    .compile_float = erased<strain_limiting_effect::compile<float>>,
+    .compile_double = erased<strain_limiting_effect::compile<double>>,
 };
 }  // namespace bendlab

@@ -9,7 +9,7 @@
 #include "bendlab/mesh/geodesics.hpp"
 
 namespace bendlab {
-namespace {
+namespace tethers_effect {
 
 constexpr std::array<std::string_view, 2> distance_names = {"geodesic", "straight"};
 
@@ -106,7 +106,7 @@ std::vector<Pass<Real>> compile(const Tethers& settings, const EffectInput& inpu
            }}};
 }
 
-}  // namespace
+}  // namespace tethers_effect
 
 constinit const EffectKind Tethers::kind{
     .name = "tethers",
@@ -114,13 +114,13 @@ constinit const EffectKind Tethers::kind{
         "long-range attachments: the distance from a vertex to a pin is at most the length of cloth between "
         "vertex and pin",
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
-    .settings = table_of<Tethers>(fields),
+    .settings = table_of<Tethers>(tethers_effect::fields),
     .needs_projection = true,
     .helps_projection = true,
     .needs_pins = true,
     .keeps_momentum = true,
     .bounds_strain = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
+    .compile_float = erased<tethers_effect::compile<float>>,
+    .compile_double = erased<tethers_effect::compile<double>>,
 };
 }  // namespace bendlab

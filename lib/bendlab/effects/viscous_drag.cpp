@@ -9,7 +9,7 @@
 #include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
-namespace {
+namespace viscous_drag_effect {
 
 constexpr std::array fields = {
     field<&ViscousDrag::coefficient>(
@@ -54,16 +54,16 @@ bool idle(const ViscousDrag& settings) {
   return settings.coefficient == 0;
 }
 
-}  // namespace
+}  // namespace viscous_drag_effect
 
 constinit const EffectKind ViscousDrag::kind{
     .name = "viscous_drag",
     .summary = "drag of a viscous medium at rest on every free vertex, in proportion to velocity and area",
     .source = "Stokes' law for a surface, F = -c A v; exact over a substep without other forces",
-    .settings = table_of<ViscousDrag>(fields),
+    .settings = table_of<ViscousDrag>(viscous_drag_effect::fields),
     .damps = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
+    .compile_float = erased<viscous_drag_effect::compile<float>>,
+    .compile_double = erased<viscous_drag_effect::compile<double>>,
+    .idle = erased<viscous_drag_effect::idle>,
 };
 }  // namespace bendlab

@@ -29,7 +29,7 @@
 #include "bendlab/effects/gusts.hpp"
 
 namespace bendlab {
-namespace {
+namespace wind_effect {
 
 constexpr std::array fields = {
     field<&Wind::velocity>(
@@ -224,7 +224,7 @@ std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
       times, fmt::format("{:.2g} times", times)};
 }
 
-}  // namespace
+}  // namespace wind_effect
 
 constinit const EffectKind Wind::kind{
     .name = "wind",
@@ -232,14 +232,14 @@ constinit const EffectKind Wind::kind{
     .source =
         "Wilson et al. 2014 (drag, direction of lift) and Keckeisen et al. 2004 (size of the lift, zero for "
         "cloth along the flow)",
-    .settings = table_of<Wind>(fields),
+    .settings = table_of<Wind>(wind_effect::fields),
     .acts_first = true,
     .force_follows_pose = true,
-    .compile_float = erased<compile<float>>,
-    .compile_double = erased<compile<double>>,
-    .idle = erased<idle>,
-    .drives = erased<drives>,
-    .largest_force = erased<largest_force>,
-    .doubt = erased<doubt>,
+    .compile_float = erased<wind_effect::compile<float>>,
+    .compile_double = erased<wind_effect::compile<double>>,
+    .idle = erased<wind_effect::idle>,
+    .drives = erased<wind_effect::drives>,
+    .largest_force = erased<wind_effect::largest_force>,
+    .doubt = erased<wind_effect::doubt>,
 };
 }  // namespace bendlab

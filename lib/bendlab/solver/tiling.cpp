@@ -57,5 +57,8 @@ template std::vector<StackRange> tiled(const BatchOrder&, const PairList&, int, 
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 2>>&, int, int);
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 3>>&, int, int);
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 4>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 6>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 9>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 13>>&, int, int);
 
 }  // namespace bendlab

@@ -2,7 +2,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace adaptive_model {
 
 constexpr auto fields = joined(level_fields<Adaptive>, ring_fill_field<Adaptive>, ring_rule_fields<Adaptive>);
 
@@ -14,7 +14,7 @@ BendingConstraints build(const Adaptive& settings, const BendingInput& input) {
       .facts = facts_of(levels)};
 }
 
-}  // namespace
+}  // namespace adaptive_model
 
 constinit const BendingKind Adaptive::kind{
     .name = "adaptive",
@@ -27,8 +27,8 @@ constinit const BendingKind Adaptive::kind{
         "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; with "
         "m = 1 (coarse meshes) free vertices do not resist bending at all",
     .compliance = "1 / k of every spring, k in N/m",
-    .settings = table_of<Adaptive>(fields),
+    .settings = table_of<Adaptive>(adaptive_model::fields),
     .springs_only = true,
-    .build = erased<build>,
+    .build = erased<adaptive_model::build>,
 };
 }  // namespace bendlab

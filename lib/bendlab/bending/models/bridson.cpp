@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
-namespace {
+namespace bridson_model {
 
 BendingConstraints build(const Bridson&, const BendingInput& input) {
   BendingConstraints constraints;
@@ -15,7 +15,7 @@ BendingConstraints build(const Bridson&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace bridson_model
 
 constinit const BendingKind Bridson::kind{
     .name = "bridson",
@@ -31,6 +31,6 @@ constinit const BendingKind Bridson::kind{
     .settings = table_of<Bridson>({}),
     .softness_needs_compliance = true,
     .softens = true,
-    .build = erased<build>,
+    .build = erased<bridson_model::build>,
 };
 }  // namespace bendlab

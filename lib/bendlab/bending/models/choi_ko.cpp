@@ -4,7 +4,7 @@
 #include "bendlab/settings/names.hpp"
 
 namespace bendlab {
-namespace {
+namespace choi_ko_model {
 
 constexpr std::array fields = {
     field<&ChoiKo::ring>({.name = "ring",
@@ -41,7 +41,7 @@ BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace choi_ko_model
 
 constinit const BendingKind ChoiKo::kind{
     .name = "choi_ko",
@@ -56,8 +56,8 @@ constinit const BendingKind ChoiKo::kind{
         "the mesh's lines; with k it is a one-sided distance constraint",
     .compliance =
         "1 / k_b, k_b in N m² (flexural rigidity 3/4 k_b / width for one line of segments at ring 2)",
-    .settings = table_of<ChoiKo>(fields),
+    .settings = table_of<ChoiKo>(choi_ko_model::fields),
     .one_sided = true,
-    .build = erased<build>,
+    .build = erased<choi_ko_model::build>,
 };
 }  // namespace bendlab

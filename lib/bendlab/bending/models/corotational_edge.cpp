@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
-namespace {
+namespace corotational_edge_model {
 
 BendingConstraints build(const CorotationalEdge&, const BendingInput& input) {
   BendingConstraints constraints;
@@ -15,7 +15,7 @@ BendingConstraints build(const CorotationalEdge&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace corotational_edge_model
 
 constinit const BendingKind CorotationalEdge::kind{
     .name = "corotational_edge",
@@ -30,6 +30,6 @@ constinit const BendingKind CorotationalEdge::kind{
     .settings = table_of<CorotationalEdge>({}),
     .softness_needs_compliance = true,
     .softens = true,
-    .build = erased<build>,
+    .build = erased<corotational_edge_model::build>,
 };
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_faces.hpp"
 
 namespace bendlab {
-namespace {
+namespace corotational_face_model {
 
 BendingConstraints build(const CorotationalFace&, const BendingInput& input) {
   BendingConstraints constraints;
@@ -16,7 +16,7 @@ BendingConstraints build(const CorotationalFace&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace corotational_face_model
 
 constinit const BendingKind CorotationalFace::kind{
     .name = "corotational_face",
@@ -34,6 +34,6 @@ constinit const BendingKind CorotationalFace::kind{
     .takes_directions = true,
     .softens = true,
     .yields = true,
-    .build = erased<build>,
+    .build = erased<corotational_face_model::build>,
 };
 }  // namespace bendlab

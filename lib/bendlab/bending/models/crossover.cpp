@@ -12,7 +12,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace crossover_model {
 
 constexpr std::array<std::string_view, 2> pair_choices = {"opposite", "straight"};
 
@@ -77,7 +77,7 @@ BendingConstraints build(const Crossover& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace crossover_model
 
 constinit const BendingKind Crossover::kind{
     .name = "crossover",
@@ -89,8 +89,8 @@ constinit const BendingKind Crossover::kind{
         "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
         "softer on finer meshes",
     .compliance = "1 / k of every spring, k in N/m",
-    .settings = table_of<Crossover>(fields),
+    .settings = table_of<Crossover>(crossover_model::fields),
     .springs_only = true,
-    .build = erased<build>,
+    .build = erased<crossover_model::build>,
 };
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
-namespace {
+namespace dihedral_model {
 
 constexpr std::array<std::string_view, 2> weights = {"uniform", "area"};
 
@@ -25,7 +25,7 @@ BendingConstraints build(const Dihedral& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace dihedral_model
 
 constinit const BendingKind Dihedral::kind{
     .name = "dihedral",
@@ -38,11 +38,11 @@ constinit const BendingKind Dihedral::kind{
         "to the other side; with physical stiffness, a sheet that is bent a little has 0.75 of the stated "
         "rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
-    .settings = table_of<Dihedral>(fields),
+    .settings = table_of<Dihedral>(dihedral_model::fields),
     .softness_needs_compliance = true,
     .softens = true,
     .yields = true,
     .is_reference = true,
-    .build = erased<build>,
+    .build = erased<dihedral_model::build>,
 };
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
-namespace {
+namespace discrete_shells_model {
 
 constexpr std::array<std::string_view, 2> measures = {"theta", "tan"};
 
@@ -27,7 +27,7 @@ BendingConstraints build(const DiscreteShells& settings, const BendingInput& inp
   return constraints;
 }
 
-}  // namespace
+}  // namespace discrete_shells_model
 
 constinit const BendingKind DiscreteShells::kind{
     .name = "discrete_shells",
@@ -41,10 +41,10 @@ constinit const BendingKind DiscreteShells::kind{
         "alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance =
         "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
-    .settings = table_of<DiscreteShells>(fields),
+    .settings = table_of<DiscreteShells>(discrete_shells_model::fields),
     .softness_needs_compliance = true,
     .softens = true,
     .yields = true,
-    .build = erased<build>,
+    .build = erased<discrete_shells_model::build>,
 };
 }  // namespace bendlab

@@ -10,7 +10,7 @@
 #include "bendlab/constraints/corners.hpp"
 
 namespace bendlab {
-namespace {
+namespace dkt_model {
 
 constexpr std::size_t arity = 6;  // three vertices, then their normals
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -253,7 +253,7 @@ BendingConstraints build(const Dkt&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace dkt_model
 
 constinit const BendingKind Dkt::kind{
     .name = "dkt",
@@ -275,6 +275,6 @@ constinit const BendingKind Dkt::kind{
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
     .takes_directions = true,
-    .build = erased<build>,
+    .build = erased<dkt_model::build>,
 };
 }  // namespace bendlab

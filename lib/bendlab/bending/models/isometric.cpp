@@ -6,7 +6,7 @@
 #include "bendlab/settings/names.hpp"
 
 namespace bendlab {
-namespace {
+namespace isometric_model {
 
 constexpr std::array fields = {
     field<&Isometric::constraint>(
@@ -48,7 +48,7 @@ BendingConstraints build(const Isometric& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace isometric_model
 
 constinit const BendingKind Isometric::kind{
     .name = "isometric",
@@ -61,9 +61,9 @@ constinit const BendingKind Isometric::kind{
         "triangles keep their shape; with physical stiffness, a sheet that is bent a little has 0.75 of the "
         "stated rigidity on alternating diagonals and 0.93 on irregular meshes (see /bending/deflection)",
     .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
-    .settings = table_of<Isometric>(fields),
+    .settings = table_of<Isometric>(isometric_model::fields),
     .softness_needs_compliance = true,
     .softens = true,
-    .build = erased<build>,
+    .build = erased<isometric_model::build>,
 };
 }  // namespace bendlab

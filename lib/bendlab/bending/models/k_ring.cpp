@@ -2,7 +2,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace k_ring_model {
 
 constexpr std::array own_fields = {
     field<&KRing::k>(
@@ -22,7 +22,7 @@ BendingConstraints build(const KRing& settings, const BendingInput& input) {
       .facts = {{"k", static_cast<double>(settings.k), "the farthest ring that springs of a vertex reach"}}};
 }
 
-}  // namespace
+}  // namespace k_ring_model
 
 constinit const BendingKind KRing::kind{
     .name = "k_ring",
@@ -33,8 +33,8 @@ constinit const BendingKind KRing::kind{
         "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; "
         "softer on finer meshes",
     .compliance = "1 / k of every spring, k in N/m",
-    .settings = table_of<KRing>(fields),
+    .settings = table_of<KRing>(k_ring_model::fields),
     .springs_only = true,
-    .build = erased<build>,
+    .build = erased<k_ring_model::build>,
 };
 }  // namespace bendlab

@@ -10,7 +10,7 @@
 #include "bendlab/bending/rest_faces.hpp"
 
 namespace bendlab {
-namespace {
+namespace laplacian_model {
 
 constexpr std::size_t most_neighbours = LaplacianBend::arity - 1;
 
@@ -78,7 +78,7 @@ BendingConstraints build(const Laplacian&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace laplacian_model
 
 constinit const BendingKind Laplacian::kind{
     .name = "laplacian",
@@ -96,6 +96,6 @@ constinit const BendingKind Laplacian::kind{
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .softens = true,
-    .build = erased<build>,
+    .build = erased<laplacian_model::build>,
 };
 }  // namespace bendlab

@@ -2,7 +2,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace lod_model {
 
 constexpr std::array own_fields = {
     field<&Lod::t>({.name = "t",
@@ -36,7 +36,7 @@ BendingConstraints build(const Lod& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace lod_model
 
 constinit const BendingKind Lod::kind{
     .name = "lod",
@@ -47,8 +47,8 @@ constinit const BendingKind Lod::kind{
         "no linear bending stiffness (moment ∝ κ³); does not distinguish the two directions of a fold; the "
         "long springs do not resist wrinkles shorter than t edges",
     .compliance = "1 / k of every spring, k in N/m",
-    .settings = table_of<Lod>(fields),
+    .settings = table_of<Lod>(lod_model::fields),
     .springs_only = true,
-    .build = erased<build>,
+    .build = erased<lod_model::build>,
 };
 }  // namespace bendlab

@@ -7,7 +7,7 @@
 #include "bendlab/constraints/corners.hpp"
 
 namespace bendlab {
-namespace {
+namespace mid_edge_model {
 
 constexpr std::array fields = {
     field<&MidEdge::measure>(
@@ -99,7 +99,7 @@ BendingConstraints build(const MidEdge& settings, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace mid_edge_model
 
 constinit const BendingKind MidEdge::kind{
     .name = "mid_edge",
@@ -114,13 +114,13 @@ constinit const BendingKind MidEdge::kind{
         "has three unknowns per vertex more than other models, so a step takes longer; projections "
         "converge slowly",
     .compliance = "1 / D, D the flexural rigidity in N m of a cylinder (a narrow strip: D (1 - ν²))",
-    .settings = table_of<MidEdge>(fields),
+    .settings = table_of<MidEdge>(mid_edge_model::fields),
     .softness_needs_compliance = true,
     .rigidity_by_formula = true,
     .takes_poisson_ratio = true,
     .takes_directions = true,
     .softens = true,
     .yields = true,
-    .build = erased<build>,
+    .build = erased<mid_edge_model::build>,
 };
 }  // namespace bendlab

@@ -3,7 +3,7 @@
 #include "bendlab/bending/rest_faces.hpp"
 
 namespace bendlab {
-namespace {
+namespace mid_edge_average_model {
 
 BendingConstraints build(const MidEdgeAverage&, const BendingInput& input) {
   BendingConstraints constraints;
@@ -13,7 +13,7 @@ BendingConstraints build(const MidEdgeAverage&, const BendingInput& input) {
   return constraints;
 }
 
-}  // namespace
+}  // namespace mid_edge_average_model
 
 constinit const BendingKind MidEdgeAverage::kind{
     .name = "mid_edge_average",
@@ -31,6 +31,6 @@ constinit const BendingKind MidEdgeAverage::kind{
     .takes_directions = true,
     .softens = true,
     .yields = true,
-    .build = erased<build>,
+    .build = erased<mid_edge_average_model::build>,
 };
 }  // namespace bendlab

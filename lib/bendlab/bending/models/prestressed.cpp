@@ -8,7 +8,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace prestressed_model {
 
 constexpr std::array own_fields = {
     field<&Prestressed::excess>(
@@ -42,7 +42,7 @@ double strain_of_k(const Prestressed& settings, double k) {
   return settings.excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
 }
 
-}  // namespace
+}  // namespace prestressed_model
 
 constinit const BendingKind Prestressed::kind{
     .name = "prestressed",
@@ -58,12 +58,12 @@ constinit const BendingKind Prestressed::kind{
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; springs of other lengths are weighted so that "
         "all springs resist bending alike",
-    .settings = table_of<Prestressed>(fields),
+    .settings = table_of<Prestressed>(prestressed_model::fields),
     .springs_only = true,
     .prestressed = true,
     .softness_needs_compliance = true,
-    .strain_of_k = erased<strain_of_k>,
+    .strain_of_k = erased<prestressed_model::strain_of_k>,
     .strain_of_k_remedy = "A smaller /bending/prestressed/excess helps",
-    .build = erased<build>,
+    .build = erased<prestressed_model::build>,
 };
 }  // namespace bendlab

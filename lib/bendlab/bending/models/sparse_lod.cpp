@@ -2,7 +2,7 @@
 #include "bendlab/bending/models.hpp"
 
 namespace bendlab {
-namespace {
+namespace sparse_lod_model {
 
 // In a sheet that is bent to the curvature κ, a spring of length l shortens by δ = l³ κ² / 24. If all springs
 // have the same energy ½ δ² / α, the sheet is equally stiff in all directions.
@@ -10,7 +10,7 @@ BendingConstraints build(const SparseLod& settings, const BendingInput& input) {
   return thinned_rings(settings, input, 6);
 }
 
-}  // namespace
+}  // namespace sparse_lod_model
 
 constinit const BendingKind SparseLod::kind{
     .name = "sparse_lod",
@@ -29,6 +29,6 @@ constinit const BendingKind SparseLod::kind{
     .settings = table_of<SparseLod>(thinned_ring_fields<SparseLod>),
     .springs_only = true,
     .softness_needs_compliance = true,
-    .build = erased<build>,
+    .build = erased<sparse_lod_model::build>,
 };
 }  // namespace bendlab
