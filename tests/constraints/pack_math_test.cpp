@@ -1,4 +1,4 @@
-// Trigonometry and Bessel functions on packs agree with the standard library and with closed forms.
+// Roots, trigonometry and Bessel functions on packs agree with the standard library and with closed forms.
 #include "bendlab/constraints/pack_math.hpp"
 
 #include <cmath>
@@ -33,6 +33,25 @@ TEMPLATE_TEST_CASE("arc tangent and sine of packs are right to rounding", "[cons
   CHECK(arc_error <= 3 * ulp);
   CHECK(sine_error <= 3 * ulp);
   CHECK(arc_tangent<Real>(broadcast(Real(0)), broadcast(Real(0)))[0] == 0);
+}
+
+TEMPLATE_TEST_CASE("inverse square roots of packs are right to rounding", "[constraints]", float, double) {
+  using Real = TestType;
+  using Limits = std::numeric_limits<Real>;
+  const auto inverse = [](Real x) { return inverse_square_root(broadcast(x))[0]; };
+  long double error = 0;
+  constexpr int steps = 4000;
+  for (int i = 0; i < steps; ++i) {  // from 1 to 4, because other numbers differ by a power of 4
+    const Real x = 1 + Real(3) * static_cast<Real>(i) / steps;
+    const long double expected = 1 / std::sqrt(static_cast<long double>(x));
+    error = std::max(error, std::abs(static_cast<long double>(inverse(x)) / expected - 1));
+    CHECK(inverse(x * Real(0x1p40)) == inverse(x) * Real(0x1p-20));
+    CHECK(inverse(x * Real(0x1p-40)) == inverse(x) * Real(0x1p20));
+  }
+  // The last step rounds twice a number near 1/2, whose error counts as it is, and then the result.
+  CHECK(error <= 2 * static_cast<long double>(Limits::epsilon()));
+  CHECK(std::isfinite(inverse(Limits::min())));
+  CHECK(std::isfinite(inverse(Limits::max())));
 }
 
 TEMPLATE_TEST_CASE("Bessel functions of packs are right to rounding", "[constraints]", float, double) {

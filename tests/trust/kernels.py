@@ -1,6 +1,6 @@
-"""An equilibrium has different bits with different kernels of OpenBLAS. A run that was computed with other
-kernels is reused with a warning. Other methods have the same bits and give no warning. 'rerun' names the
-kernels.
+"""Methods that factorise in double precision have different bits with different kernels of OpenBLAS. A run
+that was computed with other kernels is reused with a warning. The default method has the same bits in single
+precision, and gives no warning. 'rerun' names the kernels.
 
     kernels.py PROGRAM      exit 1 if not; 77 if OpenBLAS has no other kernels to choose
 """
@@ -37,10 +37,11 @@ def main(program):
         common = {"mesh": {"cells": 24}, "duration": 0.2, "effects": [{"type": "gravity"}]}
         write_config(folder, "moves", **common)
         write_config(folder, "rests", **common, **SUPPLE, solver={"method": "equilibrium"})
+        write_config(folder, "solves", **common, solver={"method": "newton"})
         write_config(folder, "begins", **common, **SUPPLE,
                      initial={"after": ["/solver/method=equilibrium", "/duration=0.1"]})
         bits = {}
-        for name in ("moves", "rests", "begins"):
+        for name in ("moves", "rests", "solves", "begins"):
             compute(name, KERNELS[0])
             outcome, errors = compute(name, KERNELS[1])
             check(outcome["reused"], f"{name} was not reused")
