@@ -11,10 +11,16 @@ import tempfile
 import threading
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
 import bendlab as bl
+
+try:
+    import pandas
+except ImportError:
+    pandas = None
 
 PROGRAM = sys.argv.pop(1)
 CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_left", "upper_right"]},
@@ -71,6 +77,30 @@ class Runs(unittest.TestCase):
         self.assertEqual(list(table["dt"][:2]), [0.01, 0.02])
         again = bl.run(scene, sweep={"mesh.cells": [4]}, out=self.place)
         self.assertEqual(list(again["status"]), ["complete"])
+
+    def test_the_table_is_the_same_array_whether_or_not_pandas_can_be_imported(self):
+        scene = bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05)
+        tables = []
+        for modules in ({}, {"pandas": None}):  # None: an import fails as if pandas were absent
+            with mock.patch.dict(sys.modules, modules):
+                tables.append(bl.run(scene, sweep={"/mesh/cells": [3, 4]}, out=self.place))
+        for table in tables:
+            self.assertIs(type(table), np.ndarray)
+            self.assertEqual(table.dtype, tables[0].dtype)
+            self.assertEqual(list(table["cells"]), [3, 4])
+            self.assertEqual(table[1]["drop"], table["drop"][1])
+
+    @unittest.skipUnless(pandas, "needs pandas")
+    def test_pandas_makes_a_data_frame_of_the_table(self):
+        table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05),
+                       sweep={"/mesh/cells": [3, 4], "/bending": [bl.Crossover(), bl.DiscreteShells()]},
+                       out=self.place)
+        frame = pandas.DataFrame(table)
+        self.assertEqual(tuple(frame.columns), table.dtype.names)
+        for name in table.dtype.names:
+            np.testing.assert_array_equal(frame[name].to_numpy(), table[name])
+        self.assertEqual(list(frame.groupby("cells")["drop"].mean()),
+                         [table["drop"][table["cells"] == cells].mean() for cells in (3, 4)])
 
     def test_a_scene_with_a_mesh_from_arrays(self):
         vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]) / 3
