@@ -10,7 +10,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import unittest
 from pathlib import Path
 
@@ -294,11 +293,8 @@ class ThreadsAndSignals(unittest.TestCase):
 
     def test_ctrl_c_during_a_run_keeps_the_state_of_the_last_step(self):
         cloth = hanging(24).simulate()
-        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
-        before = time.monotonic()
-        with self.assertRaises(KeyboardInterrupt):
-            cloth.run(1e6)
-        self.assertLess(time.monotonic() - before, 10)
+        with self.assertRaises(KeyboardInterrupt):  # the whole run would take hours
+            cloth.run(1e6, progress=lambda share: os.kill(os.getpid(), signal.SIGINT))
         steps = round(cloth.time * 60)
         self.assertGreater(steps, 0)
         again = hanging(24).simulate()

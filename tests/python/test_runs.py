@@ -37,6 +37,20 @@ class Height(bl.Measure):
         return {"height": x[:, 2].mean()}
 
 
+class Stopping(bl.Measure):
+    """sends Ctrl-C with the frame number `at`, and goes on when the main thread has got it"""
+
+    columns = {"nothing": ("1", "always 0")}
+    at, frames, interrupted = None, 0, threading.Event()
+
+    def frame(self, x, t):
+        Stopping.frames += 1
+        if Stopping.frames == Stopping.at:
+            os.kill(os.getpid(), signal.SIGINT)
+            Stopping.interrupted.wait()
+        return {"nothing": 0}
+
+
 class Runs(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -159,14 +173,23 @@ class Runs(unittest.TestCase):
         self.assertTrue(table["message"][1])
 
     def test_ctrl_c_stops_the_runs_and_the_same_call_continues_them(self):
-        scene = bl.Scene(mesh=bl.grid(1, 1, 24), solver=bl.Newton(), duration=0.5)
-        sweep = {"/initial/tilt": [0, 10, 20, 30]}
-        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        def of_runs(out):
+            return bl.run(bl.Scene(mesh=bl.grid(1, 1, 6), solver=bl.Newton(), duration=0.5), out=out, jobs=2,
+                          sweep={"/initial/tilt": [0, 10, 20, 30]}, measures=[Stopping])
+
+        def interrupt(*_):
+            Stopping.interrupted.set()
+            raise KeyboardInterrupt
+
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, interrupt))
+        Stopping.at = 10
         with self.assertRaises(KeyboardInterrupt):
-            bl.run(scene, sweep=sweep, out=self.place, jobs=2)
-        table = bl.run(scene, sweep=sweep, out=self.place, jobs=2)
+            of_runs(self.place)
+        self.assertLess(len(list(self.place.rglob("run.vtkhdf"))), 4)
+        Stopping.at = None
+        table = of_runs(self.place)
         self.assertEqual(list(table["status"]), ["complete"] * 4)
-        whole = bl.run(scene, sweep=sweep, out=self.place / "whole", jobs=2)
+        whole = of_runs(self.place / "whole")
         for name in ("drop", "mean_strain"):
             self.assertEqual(list(table[name]), list(whole[name]))
 
