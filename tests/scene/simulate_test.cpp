@@ -115,8 +115,8 @@ TEST_CASE("normals at a clamp turn with the clamp", "[scene]") {
       const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
       CHECK(bending(cloth.positions() * turn.transpose()) < 1e-12 * quarter);  // rounding
       // The clamp turns by a right angle, and the sheet follows it and comes to rest: in the last 2.5 s its
-      // energy falls by e^(-2 · 6 · 2.5).
-      cloth.run(3);
+      // energy falls by e^(-2 · 6 · 2.5). With few iterations, quasi_newton comes to rest later.
+      cloth.run(method == "newton" ? 3 : 60);
       CHECK(bending(cloth.positions()) < 1e-4 * quarter);
       const Vector3 extent =
           (cloth.positions().colwise().maxCoeff() - cloth.positions().colwise().minCoeff()).transpose();
