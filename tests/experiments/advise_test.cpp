@@ -266,8 +266,7 @@ TEST_CASE("advise: if nothing is advised, the reasons are stated", "[advise]") {
                ContainsSubstring(example.text) && !ContainsSubstring("limit"));
     if (!advice.reference.tells()) continue;
     advice.not_tried = {{"d", "pbd"}, {"e", "pbd"}};
-    CHECK_THAT(why_none(advice, options).back(),
-               ContainsSubstring("2 settings were not tried within the time limit (40 s)"));
+    CHECK_THAT(why_none(advice, options).back(), ContainsSubstring("2 settings"));
     advice.is_met = true;
     CHECK(why_none(advice, options).empty());
   }
@@ -481,7 +480,7 @@ TEST_CASE("advise: impossible requests are refused with a hint what to write", "
   // A method that the scene does not allow is named with the reason.
   CHECK_THAT(place.answer(R"(strip.json --error 20% --models dihedral --set '/effects=[{"type":"gravity"},)"
                           R"({"type":"viscous_drag","coefficient":4},{"type":"strain_limiting"}]')"),
-             ContainsSubstring("dihedral with quasi_newton: /effects/2 strain_limiting acts between"));
+             ContainsSubstring("/effects/2 strain_limiting"));
 }
 
 TEST_CASE("advise: if no setting meets the demand, the answer says so and names the nearest setting",

@@ -176,7 +176,7 @@ class Pins(unittest.TestCase):
     def test_a_method_that_cannot_move_pins_refuses_them(self):
         for solver in (bl.Equilibrium(), bl.KangCho()):
             bending = bl.Crossover() if isinstance(solver, bl.KangCho) else bl.DiscreteShells()
-            with self.assertRaisesRegex(ValueError, "leaves pinned vertices where they are"):
+            with self.assertRaisesRegex(ValueError, "pinned vertices"):
                 hanging(solver=solver, bending=bending).simulate().pins
         cloth = hanging().simulate()
         cloth.pins = cloth.pins + 0.01
@@ -278,7 +278,7 @@ class ThreadsAndSignals(unittest.TestCase):
                     raised.append(str(error))
         worker.join()
         self.assertTrue(raised)
-        self.assertIn("give each thread its own cloth", raised[0])
+        self.assertIn("each thread", raised[0])
         cloth.step()
 
     def test_threads_with_different_cloths_run_at_the_same_time(self):

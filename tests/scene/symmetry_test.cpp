@@ -91,8 +91,7 @@ TEST_CASE("a quarter of a plate moves like the whole plate", "[scene]") {
 TEST_CASE("a plane of symmetry needs held vertices, and a model with slopes at vertices", "[scene]") {
   Scene scene = plate(1, 4, 1);
   scene.pins.hold_x = {};
-  CHECK_THROWS_WITH(simulate(scene),
-                    ContainsSubstring("no vertex is held along x") && ContainsSubstring("/pins/hold_x"));
+  CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("/pins/hold_x"));
   scene = plate(1, 4, 1);
   scene.pins.symmetry = {CoordinateAxis::z};  // the plane of the sheet
   CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("right angle") && ContainsSubstring("/pins/hold_z"));
