@@ -93,7 +93,7 @@ class Steps(unittest.TestCase):
 
     def test_progress(self):
         seen = []
-        hanging(16, solver=bl.Newton()).simulate().run(0.5, progress=seen.append)
+        hanging(8, solver=bl.Newton()).simulate().run(0.5, progress=seen.append)
         self.assertTrue(seen)
         self.assertEqual(seen, sorted(seen))
         self.assertTrue(all(0 <= share <= 1 for share in seen))
@@ -162,7 +162,7 @@ class Pins(unittest.TestCase):
                     cloth.pins[:] = start + (0, 0, 0.01 * step)
                     cloth.step()
                     self.assertLess(np.abs(cloth.positions[cloth.pinned] - cloth.pins).max(), 1e-6)
-                cloth.run(2)
+                cloth.run(0.5)
                 self.assertLess(cloth.positions[:, 2].max(), start[0, 2] + 0.05)
 
     def test_reading_the_pins_does_not_change_the_motion(self):
@@ -260,24 +260,25 @@ class MeshesFromArrays(unittest.TestCase):
 
 class ThreadsAndSignals(unittest.TestCase):
     def test_two_threads_with_one_cloth_raise_an_error_and_do_not_race(self):
-        cloth = hanging(24, solver=bl.Newton()).simulate()
-        raised, started = [], threading.Event()
+        cloth = hanging(8).simulate()
+        raised, inside, tried = [], threading.Event(), threading.Event()
 
-        def run():
-            started.set()
-            cloth.run(0.5)
+        def wait(share):
+            inside.set()
+            tried.wait()
 
-        worker = threading.Thread(target=run)
+        worker = threading.Thread(target=cloth.run, args=(0.1,), kwargs={"progress": wait})
         worker.start()
-        started.wait()
-        while worker.is_alive():
-            for use in (cloth.step, lambda: cloth.positions, cloth.energies, lambda: cloth.pins):
-                try:
-                    use()
-                except RuntimeError as error:
-                    raised.append(str(error))
+        inside.wait()
+        uses = (cloth.step, lambda: cloth.positions, cloth.energies, lambda: cloth.pins)
+        for use in uses:
+            try:
+                use()
+            except RuntimeError as error:
+                raised.append(str(error))
+        tried.set()
         worker.join()
-        self.assertTrue(raised)
+        self.assertEqual(len(raised), len(uses))
         self.assertIn("each thread", raised[0])
         cloth.step()
 
