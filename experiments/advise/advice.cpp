@@ -45,7 +45,7 @@ class Advisor {
       : question_(question),
         options_(options),
         report_(report),
-        runs_(question, options.campaign, options.time_limit_s) {}
+        runs_(question, options.campaign, options.time_limit_s, options.now_s) {}
 
   Advice advise() {
     std::vector<SettingKind> kinds = possible(kinds_to_begin_with());

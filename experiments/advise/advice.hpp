@@ -16,7 +16,9 @@ struct AdviceOptions {
   std::vector<std::string> models;                 ///< empty: every registered model
   std::vector<std::string> methods;                ///< empty: all methods of the measured fronts
   double time_limit_s = 120;                       ///< wall time of all runs, including the reference
-  CampaignOptions campaign;                        ///< runs lie below <out>/advise/<name>
+  /// The time in s that the limit is compared with. Called by several threads.
+  std::function<double()> now_s = wall_clock_s;
+  CampaignOptions campaign;  ///< runs lie below <out>/advise/<name>
 };
 
 struct LeftOut {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <thread>
@@ -18,10 +19,6 @@ namespace bendlab {
 namespace {
 
 constexpr double frames_per_second = 60;  // costs are per frame of 1/60 s
-
-std::chrono::nanoseconds duration_of(double seconds) {
-  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
-}
 
 // CPU seconds of the steps, per frame. A run that is too short to be timed is simulated again, without
 // recording, until the repeats took long enough or `stop` is set.
@@ -89,13 +86,17 @@ Trial trial_of(const Setting& setting, const CampaignRun& run, const std::atomic
 
 }  // namespace
 
-Runs::Runs(const Question& question, CampaignOptions campaign, double time_limit_s)
-    : question_(question), campaign_(std::move(campaign)), end_(Clock::now() + duration_of(time_limit_s)) {
-  campaign_.out /= "advise", campaign_.short_first = true;
+double wall_clock_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-double Runs::left_s() const {
-  return std::chrono::duration<double>(end_ - Clock::now()).count();
+Runs::Runs(const Question& question, CampaignOptions campaign, double time_limit_s,
+           std::function<double()> now_s)
+    : question_(question),
+      campaign_(std::move(campaign)),
+      now_s_(std::move(now_s)),
+      end_s_(now_s_() + time_limit_s) {
+  campaign_.out /= "advise", campaign_.short_first = true;
 }
 
 std::vector<Trial> Runs::execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
@@ -105,11 +106,11 @@ std::vector<Trial> Runs::execute(const std::vector<Setting>& settings, const Jso
     experiments.push_back(question_.experiment_with(setting, accuracy, times));
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   std::vector<Trial> trials(runs.size());
-  std::atomic<bool> stop{false};
-  const Clock::time_point end = std::min(end_, Clock::now() + duration_of(seconds));
+  const double end_s = std::min(end_s_, now_s_() + seconds);
+  std::atomic<bool> stop{now_s_() >= end_s};
   const std::jthread watch([&](const std::stop_token& done) {
     while (!done.stop_requested() && !stop) {
-      stop = stop_flag() || Clock::now() >= end;
+      stop = stop_flag() || now_s_() >= end_s;
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
   });

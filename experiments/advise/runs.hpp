@@ -1,7 +1,7 @@
 // The runs that advice needs, within a time limit.
 #pragma once
 
-#include <chrono>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -10,12 +10,16 @@
 
 namespace bendlab {
 
+/// The time of a steady clock, s.
+double wall_clock_s();
+
 class Runs {
  public:
-  /// The time limit starts now. Runs lie below <out>/advise/<name>.
-  Runs(const Question& question, CampaignOptions campaign, double time_limit_s);
+  /// The time limit starts now, by the clock `now_s`. Runs lie below <out>/advise/<name>.
+  Runs(const Question& question, CampaignOptions campaign, double time_limit_s,
+       std::function<double()> now_s);
 
-  double left_s() const;
+  double left_s() const { return end_s_ - now_s_(); }
   bool over() const { return exit_code_ != 0 || left_s() <= 0; }
   /// 0, or the exit code of a signal or of an error that every run would have (files, mesh).
   int exit_code() const { return exit_code_; }
@@ -40,11 +44,10 @@ class Runs {
   Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   const Question& question_;
   CampaignOptions campaign_;
-  Clock::time_point end_;
+  std::function<double()> now_s_;
+  double end_s_;
   int exit_code_ = 0, computed_ = 0;
   std::optional<double> gap_;
 };

@@ -68,8 +68,8 @@ class Sheet {
 
 // Small enough that a triangle turns by 0.03 rad at a curvature of 50 /m, so that tan and sine agree with the
 // angle to 10⁻³. The half cells at the border of 16 cells are 1/16 of the sheet at each side.
-TriangleMesh mesh() {
-  return grid(0.01, 0.01, 16, 16, Diagonal::alternating);
+TriangleMesh mesh(int cells = 16) {
+  return grid(0.01 / 16 * cells, 0.01 / 16 * cells, cells, cells, Diagonal::alternating);
 }
 
 }  // namespace
@@ -126,14 +126,14 @@ TEST_CASE("internal friction makes a closed loop of the stated height and area",
   const MomentTarget linear{.rigidity = rigidity};
   for (const std::string_view model : {"mid_edge", "mid_edge_average", "corotational_face"}) {
     INFO(model);
-    Sheet sheet(model, mesh(), target);
-    const Sheet elastic(model, mesh(), linear);
+    Sheet sheet(model, mesh(8), target);
+    const Sheet elastic(model, mesh(8), linear);
     // The share of the sheet that bends: the half cells at the border see less curvature.
     const double share = elastic.moment(1) / rigidity;
     const auto friction_at = [&](double curvature) {
       return sheet.moment(curvature) - elastic.moment(curvature);
     };
-    CHECK_THAT(friction_at(0.5 * slip), WithinAbs(0.5 * friction, 0.05 * friction));
+    CHECK_THAT(friction_at(0.5 * slip) / (share * friction), WithinAbs(0.5, 0.05));
     sheet.bend_to(most);
     CHECK_THAT(friction_at(most) / (share * friction), WithinAbs(1, 0.05));
     double area = 0, before = friction_at(most);

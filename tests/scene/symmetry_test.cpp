@@ -30,10 +30,10 @@ Scene plate(double size, int cells, double pressure) {
   return scene;
 }
 
-// The height of the plate's middle after a time in s.
-double middle(const Scene& scene, Place place, double time = 1) {
+// The height of the plate's middle at rest.
+double middle(const Scene& scene, Place place) {
   Cloth cloth = simulate(scene);
-  cloth.run(time);
+  cloth.run(1);
   return cloth.positions()(select_vertices(cloth.scene().rest, place).front(), 2);
 }
 
@@ -59,27 +59,39 @@ TEST_CASE("a quarter of a plate with planes of symmetry bends like the whole pla
 }
 
 TEST_CASE("a quarter of a plate moves like the whole plate", "[scene]") {
-  for (const Method& method :
-       {Method(Newton{}), Method(QuasiNewton{.membrane = QuasiNewton::Membrane::stated})}) {
-    INFO(method.name());
-    const auto moving = [&](double size, int cells) {
-      Scene scene = plate(size, cells, 5);
-      scene.solver.method = method;
-      scene.solver.dt = 0.001, scene.solver.iterations = 200;
-      return scene;
+  struct Case {
+    Method method;
+    int cells;
+    // The largest relative difference. Newton's method converges to rounding errors. At the end of a substep
+    // of quasi_newton less than a thousandth of the forces is unbalanced, which changes the path by less than
+    // a thousandth.
+    double most;
+  };
+  for (const Case& with :
+       {Case{Newton{}, 4, 1e-9}, Case{QuasiNewton{.membrane = QuasiNewton::Membrane::stated}, 8, 1e-3}}) {
+    INFO(with.method.name());
+    // The height of the middle. In such short substeps inertia is large, and quasi_newton converges.
+    const auto height = [&](double size, int cells, Place place) {
+      Scene scene = plate(size, cells, 50);
+      scene.solver.method = with.method, scene.solver.precision = ChosenPrecision::double_precision;
+      if (with.method.name() == "newton") scene.solver.precision = ChosenPrecision::automatic;
+      scene.solver.dt = 0.0002, scene.solver.iterations = 200;
+      Cloth cloth = simulate(scene);
+      cloth.run(0.02);
+      CHECK(cloth.simulation().step_residual().value().share() < 1e-3);
+      return cloth.positions()(select_vertices(cloth.scene().rest, place).front(), 2);
     };
-    const double whole = middle(moving(2, 16), Place::centre, 0.1),
-                 quarter = middle(moving(1, 8), Place::lower_left, 0.1);
-    CHECK(std::abs(whole) > 0.005);               // m
-    CHECK_THAT(quarter, WithinRel(whole, 1e-3));  // the iterations end at different errors
+    const double whole = height(2, with.cells, Place::centre),
+                 quarter = height(1, with.cells / 2, Place::lower_left);
+    CHECK(std::abs(whole) > 0.01);  // m
+    CHECK_THAT(quarter, WithinRel(whole, with.most));
   }
 }
 
 TEST_CASE("a plane of symmetry needs held vertices, and a model with slopes at vertices", "[scene]") {
   Scene scene = plate(1, 4, 1);
   scene.pins.hold_x = {};
-  CHECK_THROWS_WITH(simulate(scene),
-                    ContainsSubstring("no vertex is held along x") && ContainsSubstring("/pins/hold_x"));
+  CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("/pins/hold_x"));
   scene = plate(1, 4, 1);
   scene.pins.symmetry = {CoordinateAxis::z};  // the plane of the sheet
   CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("right angle") && ContainsSubstring("/pins/hold_z"));

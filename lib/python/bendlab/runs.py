@@ -13,8 +13,9 @@ from bendlab.settings import plain
 
 
 def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measures=(), progress=False):
-    """Computes the runs of an experiment, and returns a table with a row for each run: a pandas.DataFrame if
-    pandas is installed, otherwise a structured array.
+    """Computes the runs of an experiment, and returns a table with a row for each run: a structured NumPy
+    array. `table["drop"]` is a column, `table[0]` a row, `table.dtype.names` has the names of the columns, and
+    `pandas.DataFrame(table)` makes a data frame.
 
     config: a Scene, a dict as in a config file, or the path of a config file.
     sweep: settings to vary, in addition to the config's own sweep:
@@ -117,15 +118,11 @@ def _table(rows):
         columns[name] = [row.get(name, missing) for row in rows]
     for metric in metrics:
         columns.setdefault(metric, [row.get("summary", {}).get(metric, np.nan) for row in rows])
-    try:
-        import pandas
-    except ImportError:
-        arrays = {name: np.array(values) for name, values in columns.items()}
-        table = np.empty(len(rows), [(name, array.dtype) for name, array in arrays.items()])
-        for name, array in arrays.items():
-            table[name] = array
-        return table
-    return pandas.DataFrame(columns)
+    arrays = {name: np.array(values) for name, values in columns.items()}
+    table = np.empty(len(rows), [(name, array.dtype) for name, array in arrays.items()])
+    for name, array in arrays.items():
+        table[name] = array
+    return table
 
 
 def _cell(value):

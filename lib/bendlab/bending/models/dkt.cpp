@@ -179,7 +179,9 @@ class Function final : public ElementFunction {
 };
 
 // A normal at every vertex: the mean of its triangles' normals, weighted by area, as long as the root of the
-// vertex's area. The normal of a pinned vertex is pinned if a triangle of pinned vertices clamps it.
+// vertex's area. A plane of symmetry doubles the area of its vertices, so that a normal there has the same
+// inertia as in the whole sheet. The normal of a pinned vertex is pinned if a triangle of pinned vertices
+// clamps it.
 Directors normals_of(const BendingInput& input, const std::vector<RestFace>& faces) {
   const RestMesh& rest = input.rest;
   Directors directors;
@@ -202,7 +204,7 @@ Directors normals_of(const BendingInput& input, const std::vector<RestFace>& fac
     const auto at = static_cast<std::size_t>(v);
     directors.vertices.push_back({v, v});
     for (int axis = 0; axis < 3; ++axis)
-      if (directors.is_held(v, axis)) directors.rest(v, axis) = 0;
+      if (directors.is_held(v, axis)) directors.rest(v, axis) = 0, area[at] *= 2;
     if (directors.rest.row(v).norm() > 0)
       directors.rest.row(v) *= std::sqrt(area[at]) / directors.rest.row(v).norm();
     else
