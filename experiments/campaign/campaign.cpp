@@ -18,6 +18,7 @@
 #include <set>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "bendlab/io/disk.hpp"
 #include "bendlab/io/folder_lock.hpp"
