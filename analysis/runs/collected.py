@@ -9,7 +9,7 @@ from functools import cached_property
 from pathlib import Path
 
 from bendlab.results import registry
-from bendlab.results.claim import is_owned
+from bendlab.results.lock import is_locked
 from bendlab.results.load import Indices, Run, group, load_run
 from bendlab.results.meanings import Meanings
 from runs.sweeps import file_in, is_number, point_key, settings_at
@@ -110,7 +110,7 @@ def _of_file(file, indices=None):
                          "writes. Delete the file, or run its config again") from None
     for number, entry in enumerate(data["runs"]):
         folder = file.parent / entry["folder"]
-        status = "missing" if not folder.is_dir() else "running" if is_owned(folder) else "failed"
+        status = "missing" if not folder.is_dir() else "running" if is_locked(folder) else "failed"
         path = file_in(folder)
         run = _read(path, indices) if path.exists() else None
         if run and run.file and run.id != entry["id"]:

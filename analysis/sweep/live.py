@@ -9,7 +9,7 @@ import time
 from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 
-from bendlab.results.claim import is_owned
+from bendlab.results.lock import is_locked
 from bendlab.results.load import load_run
 from runs.collected import Sweep
 from sweep.report import WATCHED_LIMIT, Report
@@ -58,7 +58,7 @@ class LiveRun:
         if file is None:
             return
         status = file.stat()
-        goes_on = file.suffix == ".part" and is_owned(file.parent)
+        goes_on = file.suffix == ".part" and is_locked(file.parent)
         seen = (file, status.st_mtime_ns, status.st_size, goes_on)
         if seen == self._seen:
             return

@@ -4,20 +4,25 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <condition_variable>
+#include <cstdio>
+#include <deque>
 #include <exception>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <mutex>
 #include <numeric>
-#include <queue>
 #include <set>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "bendlab/io/disk.hpp"
+#include "bendlab/io/folder_lock.hpp"
+#include "bendlab/scene/counted.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/folder.hpp"
 #include "experiments/run/run.hpp"
@@ -114,31 +119,68 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
       run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
     if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
-    if (options.shard && is_over(run.outcome->status)) remove_failure(run.outcome->file);
+    if (is_over(run.outcome->status)) remove_failure(run.outcome->file);
   } catch (...) {
     const Failure failure = current_failure();
     run.exit_code = failure.exit_code;
     run.error = failure.message;
-    if (options.shard) keep_failure(run, options.out);
+    keep_failure(run, options.out);
   }
 }
 
-// The order in which runs begin: the longest first, or the shortest first. With a shard, the runs of this
-// shard come before the runs of other shards.
-std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first,
-                                  const std::optional<Shard>& shard) {
+// The order in which runs begin: the longest first, or the shortest first.
+std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first) {
   std::vector<std::size_t> order(costs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return short_first ? costs[a] < costs[b] : costs[a] > costs[b]; });
-  if (!shard) return order;
-  const std::vector<std::size_t> shards = shards_of(costs, shard->count);
-  const auto turn = [&](std::size_t run) {
-    return (shards[run] + shard->count - shard->index) % shard->count;
-  };
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return turn(a) < turn(b); });
   return order;
 }
+
+// Gives the runs to the threads that compute them.
+class Queue {
+ public:
+  explicit Queue(std::vector<std::size_t> order) : untried_(order.begin(), order.end()) {}
+
+  /// The next run that no other process is computing; empty if no run is left. Waits if other processes are
+  /// computing all runs that are left. `waiting` is called before the first wait with the number of runs.
+  std::optional<std::size_t> next(const std::atomic<bool>& stop,
+                                  const std::function<void(std::size_t)>& waiting) {
+    constexpr auto pause = std::chrono::milliseconds(200);
+    for (;; std::this_thread::sleep_for(pause)) {
+      const std::lock_guard lock(mutex_);
+      if (!untried_.empty()) return taken(untried_, untried_.begin());
+      if (put_off_.empty()) return std::nullopt;
+      const auto free =
+          std::ranges::find_if(put_off_, [](const PutOff& run) { return !is_locked(run.folder); });
+      if (free != put_off_.end()) return taken(put_off_, free).run;
+      if (stop) return taken(put_off_, put_off_.begin()).run;
+      if (!std::exchange(has_waited_, true)) waiting(put_off_.size());
+    }
+  }
+  /// Another process is computing the run.
+  void put_off(std::size_t run, fs::path folder) {
+    const std::lock_guard lock(mutex_);
+    put_off_.push_back({run, std::move(folder)});
+  }
+
+ private:
+  struct PutOff {
+    std::size_t run;
+    fs::path folder;
+  };
+  template <class Run>
+  static Run taken(std::deque<Run>& runs, typename std::deque<Run>::iterator at) {
+    Run run = std::move(*at);
+    runs.erase(at);
+    return run;
+  }
+
+  std::mutex mutex_;
+  std::deque<std::size_t> untried_;
+  std::deque<PutOff> put_off_;
+  bool has_waited_ = false;
+};
 
 }  // namespace
 
@@ -153,20 +195,13 @@ void Needs::add(const Forecast& run) {
   most_memory_bytes = std::max(most_memory_bytes, run.memory_bytes);
 }
 
-std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count) {
-  std::vector<std::size_t> order(expected_s.size()), shards(expected_s.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return expected_s[a] > expected_s[b]; });
-  using Busy = std::pair<double, std::size_t>;  // s, shard
-  std::priority_queue<Busy, std::vector<Busy>, std::greater<>> emptiest;
-  for (std::size_t shard = 0; shard < count; ++shard) emptiest.push({0.0, shard});
-  for (const std::size_t run : order) {
-    const auto [load, shard] = emptiest.top();
-    emptiest.pop();
-    shards[run] = shard;
-    emptiest.push({load + expected_s[run], shard});
-  }
-  return shards;
+Shard shard_of(const std::string& text) {
+  Shard shard;
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%zu/%zu%n", &shard.index, &shard.count, &read) != 2 ||
+      static_cast<std::size_t>(read) != text.size() || shard.index >= shard.count)
+    throw UsageError(fmt::format("--shard: '{}' is not of the form i/n with 0 ≤ i < n, such as 0/8", text));
+  return shard;
 }
 
 std::string failure_in(const fs::path& folder) {
@@ -176,11 +211,13 @@ std::string failure_in(const fs::path& folder) {
   return text;
 }
 
-std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments) {
+std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments, Shard shard) {
   std::vector<CampaignRun> runs;
+  std::size_t position = 0;
   for (const Experiment& experiment : experiments)
     for (const RunConfig& config : experiment.runs)
-      runs.push_back({.experiment = &experiment, .config = &config});
+      if (position++ % shard.count == shard.index)
+        runs.push_back({.experiment = &experiment, .config = &config});
   return runs;
 }
 
@@ -192,11 +229,9 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   std::vector<double> costs;
   for (std::size_t i = 0; i < runs.size(); ++i)
     costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
-  const std::vector<std::size_t> order = order_of(costs, options.short_first, options.shard);
-
   MemoryBudget memory;
   Progress progress(costs);
-  std::atomic<std::size_t> next{0};
+  Queue queue(order_of(costs, options.short_first));
   std::mutex mutex;  // guards what follows
   std::set<std::pair<const Experiment*, std::string>> printed;
   std::vector<bool> over(runs.size(), false);
@@ -208,9 +243,6 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     progress.finish(index, run.outcome && !run.outcome->reused);
     const std::string& text = run.outcome ? run.outcome->message : run.error;
     const std::lock_guard lock(mutex);
-    if (options.shard && run.outcome && !run.outcome->reused && !run.outcome->left)
-      progress.message(fmt::format("{}: {} in {:.3g} s", run_text(run), to_string(run.outcome->status),
-                                   run.outcome->wall_s));
     // If several runs have the same text, such as a remark on the mesh, only the first run prints the text.
     const bool implausible = run.outcome && run.outcome->status == RunStatus::implausible,
                expected = implausible && (run.exit_code == exit_ok || !options.tells_verdicts);
@@ -229,9 +261,12 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     }
   };
 
+  const auto tell_wait = [&](std::size_t count) {
+    progress.message(fmt::format("waiting for {} that other processes are computing", counted(count, "run")));
+  };
   const auto work = [&] {
-    for (std::size_t place = next++; place < order.size(); place = next++) {
-      const std::size_t index = order[place];
+    while (const std::optional<std::size_t> next = queue.next(stop, tell_wait)) {
+      const std::size_t index = *next;
       if (executed_as[index] != index) continue;
       const RunControl control{
           .stop = &stop,
@@ -239,15 +274,21 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
           .minimal = options.minimal,
           .force = options.force || options.minimal,
           .checkpoint_interval_s = options.checkpoint_interval_s,
-          .when_owned = options.when_owned,
-          .waiting_for =
-              [&, index](const std::string& owner) {
-                progress.message(fmt::format("{}: waiting for {}, which is computing this run",
-                                             run_text(runs[index]), owner));
+          .when_locked = WhenLocked::leave,
+          .waiting =
+              [&, index] {
+                progress.message(
+                    fmt::format("{}: waiting for a reference, which another process is computing",
+                                run_text(runs[index])));
               }};
       const std::optional<Forecast> needs = forecast(*runs[index].config);
       const MemoryBudget::Reservation reservation(memory, needs ? std::round(needs->memory_bytes) : 0.0);
       if (!stop) execute(runs[index], options, control);
+      if (runs[index].outcome && runs[index].outcome->left) {
+        queue.put_off(index, runs[index].outcome->file.parent_path());
+        runs[index].outcome.reset();
+        continue;
+      }
       try {
         finish(index);
       } catch (...) {  // stdout was closed: the other runs are computed all the same

@@ -33,10 +33,14 @@ inline std::string run_text(const CampaignRun& run) {
   return run_text(*run.experiment, *run.config);
 }
 
-/// Part `index` of `count` parts of a campaign, 0 ≤ index < count.
+/// Part `index` of `count` parts of a campaign: the runs whose position in sweep order, modulo `count`, is
+/// `index`.
 struct Shard {
   std::size_t index = 0, count = 1;
 };
+
+/// "2/8" → the third of eight shards. Throws UsageError unless the text is i/n with 0 ≤ i < n.
+Shard shard_of(const std::string& text);
 
 struct CampaignOptions {
   std::filesystem::path out = "results";
@@ -45,10 +49,6 @@ struct CampaignOptions {
   bool force = false;        ///< compute complete runs again
   bool minimal = false;      ///< leave out effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
-  /// For work together with other processes: first the runs of this shard are computed, then all other runs.
-  /// Each computed run is reported on stderr. If a run fails, the reason is written into the run's folder.
-  std::optional<Shard> shard{};
-  WhenOwned when_owned = WhenOwned::wait;
   bool tells_verdicts = true;               ///< report each implausible run on stderr when it is over
   const std::atomic<bool>* stop = nullptr;  ///< true stops the campaign, as a signal does; null: stop_flag()
 };
@@ -56,15 +56,11 @@ struct CampaignOptions {
 /// CPU time that a run is expected to take, s (forecast.hpp).
 double expected_cpu_s(const RunConfig& config);
 
-/// The shard of each run, such that all shards take about equally long: the longest run goes to the emptiest
-/// shard, then the second longest, and so on.
-std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count);
-
-/// The text in a run's folder that says why the run failed (with CampaignOptions::shard), or "".
+/// The text in a run's folder that says why the run failed, or "".
 std::string failure_in(const std::filesystem::path& folder);
 
-/// The runs of all experiments, in sweep order.
-std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
+/// The runs of all experiments that belong to the shard, in sweep order.
+std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments, Shard shard = {});
 
 /// Time, disk space and memory that several runs need.
 struct Needs {
@@ -74,8 +70,10 @@ struct Needs {
   void add(const Forecast& run);
 };
 
-/// Computes the runs, the longest first, as many at a time as fit into memory. A run that fails does not stop
-/// the others. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
+/// Computes the runs, the longest first, as many at a time as fit into memory. Runs that another process is
+/// computing are put off until the end: then this process waits until they are over, and computes those whose
+/// owner has died. A run that fails does not stop the others; the reason is written into the run's folder.
+/// `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
 /// soon as this run and all runs before it are over. After a stop signal each current run ends with its next
 /// frame, and no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,

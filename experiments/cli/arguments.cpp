@@ -51,24 +51,19 @@ struct Arguments {
   ListArguments listed;
   CompareArguments compared;
   RerunArguments repeated;
-  WorkArguments work;
-  SubmitArguments submitted;
-  std::filesystem::path plan;
+  std::string shard;
   ExportArguments exported;
   PageArguments page;
   std::function<int()> command;
 };
 
 // Examples for --help: complete commands for a checkout with results.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 29> examples = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
     {"validate", "bendlab validate configs/recommended.json"},
     {"energy", "bendlab energy configs/verification/half_cylinder.json"},
     {"reproduce", "bendlab reproduce paper"},
-    {"work", "bendlab work results/plans/first-0a1b2c3d.plan.json --shard 0/8"},
-    {"status", "bendlab status results/plans/first-0a1b2c3d.plan.json"},
-    {"submit", "bendlab submit configs/plain/first.json --time 30:00 --sbatch=--partition=short --dry-run"},
     {"list", "bendlab list results --where /bending/model=adaptive --sort drop"},
     {"show", "bendlab show results/first"},
     {"compare", "bendlab compare results/first results/second"},
@@ -156,10 +151,13 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
       add_command(app, a, "run", "Compute the runs of the configs, except the runs that are complete",
-                  [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
+                  [&a] { return run_command(a.configs, a.options, a.shard, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
   add_shown(run, "--out", a.options.out, "Folder for the results");
+  run->add_option("--shard", a.shard,
+                  "Compute only part i of n, 0 ≤ i < n: the runs whose position in the sweep, modulo n, is i")
+      ->type_name("i/n");
   run->add_flag("--minimal", a.options.minimal,
                 "Leave out effects that cannot act, and check that no bit of the result changes");
   CLI::Option* explain =
@@ -174,10 +172,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* plan = add_command(
       app, a, "plan",
       "List the runs of the configs: swept values, id, state, and the time, memory and disk that a run needs",
-      [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
+      [&a] { return plan_command(a.configs, a.options.out, a.json); });
   add_configs(plan, a);
-  plan->add_option("--write", a.plan, "Also write the plan to this file, for 'bendlab work'")
-      ->type_name("PLAN");
   add_shown(plan, "--out", a.options.out, "Folder of the results");
   add_json(plan, a, "Print one JSON object per run");
 
@@ -223,52 +219,6 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       ->add_flag("--committed", a.reproduce.committed,
                  "For maintainers: replace the project's own page, which is committed")
       ->excludes(out);
-}
-
-void add_plan_file(CLI::App* command, std::filesystem::path& file) {
-  command->add_option("PLAN", file, "File that 'submit' or 'plan --write' wrote")->required();
-}
-
-void add_work_commands(CLI::App& app, Arguments& a) {
-  CLI::App* work =
-      add_command(app, a, "work", "Compute the runs of a plan, together with other processes and machines",
-                  [&a] { return work_command(a.work, a.options, a.json); });
-  add_plan_file(work, a.work.plan);
-  work->add_option("--shard", a.work.shard,
-                   "Begin with the runs of part i of n, 0 ≤ i < n; then compute the other runs that no "
-                   "process has begun (default: 0/1)")
-      ->type_name("i/n");
-  add_jobs(work, a);
-  add_checkpoint(work, a);
-  add_json(work, a, "Print one JSON object per run that was computed here");
-
-  CLI::App* status =
-      add_command(app, a, "status", "Show the progress of the runs of a plan, from any machine",
-                  [&a] { return status_command(a.work.plan, a.json); });
-  add_plan_file(status, a.work.plan);
-  add_json(status, a, "Print one JSON object per run");
-
-  CLI::App* submit =
-      add_command(app, a, "submit", "Write a plan, and submit it to Slurm as a job array of workers",
-                  [&a] { return submit_command(a.configs, a.options.out, a.submitted); });
-  add_configs(submit, a);
-  add_shown(submit, "--out", a.options.out, "Folder for the results, on a disk that all machines share");
-  submit
-      ->add_option("--tasks", a.submitted.tasks,
-                   "Number of tasks of the job array (default: so many that each task is expected to last at "
-                   "least a minute, but at most 1000)")
-      ->check(CLI::Range(1, 100000));
-  add_shown(submit, "--cpus", a.submitted.cpus,
-            "Cores per task, and number of runs that a task computes at a time")
-      ->check(CLI::Range(1, 1024));
-  submit
-      ->add_option("--time", a.submitted.time,
-                   "Time limit of a task, in the notation of sbatch; a task that reaches the limit is queued "
-                   "again and continues")
-      ->type_name("TIME");
-  add_repeatable(submit, "OPTION", "--sbatch", a.submitted.sbatch,
-                 "Further option for sbatch, such as --sbatch=--mem=4G. Repeatable");
-  submit->add_flag("--dry-run", a.submitted.dry_run, "Only print the batch file; write and submit nothing");
 }
 
 void add_read_commands(CLI::App& app, Arguments& a) {
@@ -618,7 +568,6 @@ int parsed_command(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments arguments;
   add_run_commands(app, arguments);
-  add_work_commands(app, arguments);
   add_read_commands(app, arguments);
   add_compare_command(app, arguments);
   add_rerun_command(app, arguments);

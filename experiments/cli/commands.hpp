@@ -24,13 +24,13 @@ struct ConfigArguments {
 /// The experiments of all configs. Throws one ConfigsError with the problems of all configs.
 std::vector<Experiment> load_experiments(const ConfigArguments& configs);
 
-/// Computes the runs of configs. `explain`: prints the step plan of every run instead of the tables.
-/// `strict`: warnings are errors, and nothing is computed if there are warnings before the runs begin.
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
-                bool strict);
-/// Lists the runs of configs. `write`: file for the plan that work_command() reads; empty: no file.
-int plan_command(const ConfigArguments& configs, const std::filesystem::path& out,
-                 const std::filesystem::path& write, bool json);
+/// Computes the runs of configs that belong to `shard` (text as in shard_of(); empty: all runs). `explain`:
+/// prints the step plan of every run instead of the tables. `strict`: warnings are errors, and nothing is
+/// computed if there are warnings before the runs begin.
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, const std::string& shard,
+                bool json, bool explain, bool strict);
+/// Lists the runs of configs, and which of them are complete, being computed, failed or missing.
+int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
 /// Prints the elastic energies and forces of the poses at the start of all runs, without a step.
 int energy_command(const ConfigArguments& configs, bool json);
 /// Checks configs. `strict`: builds every run, and treats warnings as errors.
@@ -43,7 +43,7 @@ enum class Report { tables, lines, json, explanations };
 /// line of JSON or a step plan for each run. Leaves out runs that were not started because of a signal.
 /// `strict`: warnings are errors. Returns the exit code.
 int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
-                   bool strict = false);
+                   bool strict = false, Shard shard = {});
 
 struct ReproduceArguments {
   std::string what = "everything";  ///< one of reproducible()
@@ -60,16 +60,6 @@ std::vector<std::string> reproducible();
 /// Runs the experiments, writes their page with figures and checks into a folder with the page's name, and
 /// prints what differs from the committed page.
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
-
-struct WorkArguments {
-  std::filesystem::path plan;
-  std::string shard;  ///< "i/n"; empty: 0/1
-};
-/// Computes the runs of a plan, together with other processes.
-int work_command(const WorkArguments& arguments, CampaignOptions options, bool json);
-
-/// Prints the progress of the runs of a plan, which may be computed on any machine.
-int status_command(const std::filesystem::path& plan, bool json);
 
 /// Files with measurements, and the mass per area in g/m².
 struct FabricsArguments {
@@ -88,17 +78,6 @@ struct FitArguments {
 };
 /// Finds settings from measured shapes. Returns 1 if the data cannot tell a setting.
 int fit_command(const FitArguments& arguments, bool json);
-
-struct SubmitArguments {
-  int tasks = 0;     ///< tasks of the job array; 0: each is expected to last at least a minute
-  int cpus = 1;      ///< cores of a task
-  std::string time;  ///< time limit of a task, in sbatch's notation; empty: the cluster's default
-  std::vector<std::string> sbatch;  ///< further options for sbatch
-  bool dry_run = false;             ///< only print the batch file; write nothing
-};
-/// Writes a plan and its batch file below <out>/plans, and submits the batch file to Slurm.
-int submit_command(const ConfigArguments& configs, const std::filesystem::path& out,
-                   const SubmitArguments& arguments);
 
 struct ListArguments {
   std::string folder = "results";

@@ -1,17 +1,19 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/campaign/plan_file.hpp"
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/campaign/runs_on_disk.hpp"
 #include "experiments/campaign/sweep_file.hpp"
-#include "experiments/campaign/work.hpp"
 #include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/look_before.hpp"
@@ -60,7 +62,7 @@ void print_large_needs(const std::vector<CampaignRun>& runs) {
 }  // namespace
 
 int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
-                   bool strict) {
+                   bool strict, Shard shard) {
   if (const KnownBefore known = strict ? look_before(experiments, true) : KnownBefore{};
       known.exit_code != exit_ok) {
     return known.exit_code;
@@ -72,7 +74,7 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
   check_writable(options.out);
   write(sweeps);
   catch_stop_signals();
-  std::vector<CampaignRun> runs = plan_campaign(experiments);
+  std::vector<CampaignRun> runs = plan_campaign(experiments, shard);
   print_large_needs(runs);
   std::vector<CampaignRun> of_experiment;
   options.tells_verdicts = report != Report::tables;  // experiment_text() prints each kind once
@@ -108,31 +110,25 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
 
 namespace {
 
-/// "complete", "implausible", "diverged, 12 frames", "running", "unreadable" or "new".
+/// "complete", "implausible", "diverged", "running", "failed", "interrupted", "unreadable" or "missing".
+std::string name_of(const RunState& state) {
+  constexpr std::array names = {"over", "running", "failed", "interrupted", "unreadable", "missing"};
+  return state.kind == RunState::Kind::over ? to_string(state.record.status)
+                                            : names.at(static_cast<std::size_t>(state.kind));
+}
+
+/// The name, and how many frames an unfinished run has.
 std::string text_of(const RunState& state) {
-  const auto with_frames = [&](RunStatus status) {
-    return fmt::format("{}, {}", to_string(status), counted(state.record.frames, "frame"));
-  };
-  switch (state.kind) {
-    case RunState::Kind::over:
-      return is_whole(state.record.status) ? to_string(state.record.status)
-                                           : with_frames(state.record.status);
-    case RunState::Kind::running:
-      return "running";
-    case RunState::Kind::interrupted:
-      return with_frames(RunStatus::interrupted);
-    case RunState::Kind::unreadable:
-      return "unreadable";
-    default:
-      return "new";
-  }
+  const bool unfinished = state.kind == RunState::Kind::interrupted ||
+                          (state.kind == RunState::Kind::over && !is_whole(state.record.status));
+  return name_of(state) + (unfinished ? ", " + counted(state.record.frames, "frame") : "");
 }
 
 /// What is known about a run without computing it.
 struct KnownRun {
   std::string id;
   fs::path folder;
-  std::string state;
+  RunState state;
   std::optional<Forecast> needs;
   double took_s = 0;  ///< CPU time that the run took; 0: the run is not complete
 };
@@ -145,9 +141,8 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
     auto& [id, folder, state, needs, took_s] = known[i];
     id = run_id(config);
     folder = run_folder(out, experiment, config, id);
-    const RunState found = on_disk.state_of(folder, id);
-    state = text_of(found);
-    if (found.kind == RunState::Kind::over && is_whole(found.record.status)) took_s = found.record.cpu_s;
+    state = on_disk.state_of(folder, id);
+    if (state.kind == RunState::Kind::over && is_whole(state.record.status)) took_s = state.record.cpu_s;
     needs = forecast(config);
   });
   // Multiplies the forecast times by the ratio of measured to forecast time of the complete runs.
@@ -161,8 +156,9 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
 
 Json known_run_json(const Experiment& experiment, const RunConfig& config, const KnownRun& run) {
   Json line = {
-      {"experiment", experiment.name}, {"point", point_json(config)}, {"id", run.id}, {"state", run.state},
-      {"folder", run.folder.string()}, {"config", config.resolved()}};
+      {"experiment", experiment.name}, {"point", point_json(config)},   {"id", run.id},
+      {"state", text_of(run.state)},   {"folder", run.folder.string()}, {"config", config.resolved()}};
+  if (!run.state.reason.empty()) line["reason"] = run.state.reason;
   if (run.needs)
     line["needs"] = {{"cpu_s", run.needs->cpu_s},
                      {"memory_bytes", run.needs->memory_bytes},
@@ -187,19 +183,18 @@ std::string cover_text(const Covered& cover) {
 
 }  // namespace
 
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
-                bool strict) {
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, const std::string& shard,
+                bool json, bool explain, bool strict) {
+  const Shard part = shard.empty() ? Shard{} : shard_of(shard);
   return run_and_report(load_experiments(configs), options,
                         json      ? Report::json
                         : explain ? Report::explanations
                                   : Report::tables,
-                        strict);
+                        strict, part);
 }
 
-int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::path& write, bool json) {
-  const std::vector<Experiment> experiments = load_experiments(configs);
-  if (!write.empty()) write_plan(write, experiments, out);
-  for (const Experiment& experiment : experiments) {
+int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
+  for (const Experiment& experiment : load_experiments(configs)) {
     const std::vector<KnownRun> known = look_at_runs(experiment, out);
     if (json) {
       for (std::size_t i = 0; i < known.size(); ++i)
@@ -209,17 +204,21 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"id", "state", "CPU time", "memory", "disk"});
     Table table(headings);
-    std::size_t complete = 0, over = 0;
+    std::size_t whole = 0;
+    std::map<std::string, std::size_t> count;  // of runs, by state
+    std::string reasons;
     Needs left;
     for (std::size_t i = 0; i < known.size(); ++i) {
       const auto& [id, folder, state, needs, took_s] = known[i];
-      if (state == "complete") ++complete;
-      if (state == "complete" || state == "implausible")
-        ++over;
+      ++count[name_of(state)];
+      if (state.kind == RunState::Kind::over && is_whole(state.record.status))
+        ++whole;
       else if (needs)
         left.add(*needs);
+      if (!state.reason.empty())
+        reasons += fmt::format("failed: {}: {}\n", run_text(experiment, experiment.runs[i]), state.reason);
       std::vector<std::string> cells = axis_cells(experiment, experiment.runs[i]);
-      cells.insert(cells.end(), {id, state});
+      cells.insert(cells.end(), {id, text_of(state)});
       if (needs)
         cells.insert(cells.end(), {duration_text(needs->cpu_s), bytes_text(needs->memory_bytes),
                                    bytes_text(needs->disk_bytes)});
@@ -227,9 +226,12 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
         cells.insert(cells.end(), 3, "-");
       table.add_row(std::move(cells));
     }
-    print_text("{}: {}, {} complete; {}\n{}\n{}\n", experiment.name, counted(known.size(), "run"), complete,
-               over == known.size() ? "no run is left to compute" : "left to compute: " + needs_text(left),
-               cover_text(experiment.cover), table.text());
+    std::vector<std::string> counts;
+    for (const auto& [name, runs] : count) counts.push_back(fmt::format("{} {}", runs, name));
+    print_text("{}: {}, {}; {}\n{}\n{}{}\n", experiment.name, counted(known.size(), "run"),
+               fmt::join(counts, ", "),
+               whole == known.size() ? "no run is left to compute" : "left to compute: " + needs_text(left),
+               cover_text(experiment.cover), table.text(), reasons);
   }
   return exit_ok;
 }

@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <system_error>
 
-#include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
 #include "experiments/export/exported_run.hpp"
 #include "experiments/run/errors.hpp"

@@ -19,9 +19,9 @@
 #include <utility>
 
 #include "bendlab/io/checksum.hpp"
-#include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
 #include "bendlab/io/facts.hpp"
+#include "bendlab/io/folder_lock.hpp"
 
 extern char** environ;
 
@@ -120,8 +120,7 @@ RunRecord read_checked(const fs::path& file) {
   if (is_over(run.status))
     throw file_error(file, "can't be used",
                      "the file was changed after it was written: it is finished, but has no checksum", 0);
-  if (run.status == RunStatus::running && owner_of(file.parent_path()).empty())
-    run.status = RunStatus::interrupted;
+  if (run.status == RunStatus::running && !is_locked(file.parent_path())) run.status = RunStatus::interrupted;
   return run;
 }
 

@@ -60,8 +60,8 @@ void keep_changes(const std::filesystem::path& folder) try {
 } catch (const std::exception&) {  // the errors of the runs say why nothing can be written there
 }
 
-std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token) {
-  const std::filesystem::path aside = fmt::format("{}.{}.bad", file.string(), token);
+std::string set_aside(const std::filesystem::path& file, const std::string& why) {
+  const std::filesystem::path aside = fmt::format("{}.{}.bad", file.string(), unique_token());
   std::filesystem::rename(file, aside);
   return fmt::format("{} {}; the file is set aside as {}, and the run is computed again", file.string(), why,
                      aside.filename().string());

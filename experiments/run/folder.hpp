@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "bendlab/io/claim.hpp"
+#include "bendlab/io/folder_lock.hpp"
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/run_outcome.hpp"
 
@@ -16,7 +16,7 @@ namespace bendlab {
 struct RunPlace {
   std::filesystem::path folder, file, part;
   std::string id;
-  std::unique_ptr<Claim> claim{};
+  std::unique_ptr<FolderLock> lock{};
   std::optional<Checkpoint> saved{};
   EarlierFrames earlier{};  ///< frames that belong to `saved`
   std::string lost{};       ///< why the frames of an earlier process cannot be used
@@ -37,7 +37,7 @@ Found look_for(const std::filesystem::path& file, const std::string& id);
 void keep_changes(const std::filesystem::path& folder);
 
 /// Renames a file that is not usable as the run's file, to keep it. Returns a message with the new name.
-std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token);
+std::string set_aside(const std::filesystem::path& file, const std::string& why);
 
 /// Gives a finished .part file its final name. Such a file exists if the run was killed between its last
 /// write and the renaming.

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "bendlab/io/checksum.hpp"
-#include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
+#include "bendlab/io/folder_lock.hpp"
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/references.hpp"
@@ -93,7 +93,7 @@ OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
   const RunOutcome outcome = execute_run(experiment, config, folder,
                                          {.stop = control.stop,
                                           .checkpoint_interval_s = control.checkpoint_interval_s,
-                                          .waiting_for = control.waiting_for},
+                                          .waiting = control.waiting},
                                          start);
   return {outcome.status, outcome.file, outcome.summary, outcome.message};
 }
@@ -215,11 +215,12 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   add_findings(recorder.findings(end, true), outcome);
   judge_summary(simulation->time(), outcome);
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary, outcome.status});
-  if (!place.claim->holds())
-    throw RunFileError(
-        fmt::format("{}: another process took over this run, because this process gave no sign of life for "
-                    "too long; the result of the other process counts",
-                    place.file.string()));
+  if (!place.lock->holds())
+    throw RunFileError(fmt::format(
+        "{}: this process lost its lock, because run.lock was removed, or because the file server "
+        "could not be reached for too long. Another process may be computing this run. Run the "
+        "same command again",
+        place.file.string()));
   if (place.keeps_file && outcome.status == RunStatus::interrupted)
     add_message(outcome, "stopped; the earlier file is kept");
   else
@@ -245,19 +246,18 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (!control.force)
     if (const Found existing = look_for(place.file, place.id); existing.over) return reused(existing, config);
   make_folder(place.folder);
-  place.claim = Claim::of(place.folder, {.give_up = [&] { return control.stop && control.stop->load(); },
-                                         .when_owned = control.when_owned,
-                                         .waiting_for = control.waiting_for});
-  if (!place.claim && control.when_owned != WhenOwned::wait && !(control.stop && control.stop->load()))
+  place.lock = FolderLock::of(place.folder, {.when_locked = control.when_locked,
+                                             .give_up = [&] { return control.stop && control.stop->load(); },
+                                             .waiting = control.waiting});
+  if (!place.lock && control.when_locked == WhenLocked::leave)
     return {.id = place.id, .status = RunStatus::running, .left = true, .file = place.file};
-  if (!place.claim) return stopped_while_waiting(place);
+  if (!place.lock) return stopped_while_waiting(place);
   if (!control.force) adopt_finished(place);
   const Found existing = look_for(place.file, place.id);  // another process may have computed it meanwhile
   if (existing.over && !control.force) return reused(existing, config);
-  const std::string note =
-      existing.wrong.empty() ? "" : set_aside(place.file, existing.wrong, place.claim->token());
+  const std::string note = existing.wrong.empty() ? "" : set_aside(place.file, existing.wrong);
   place.keeps_file = existing.over.has_value();
-  place.part = fmt::format("{}.{}.part", place.file.string(), place.claim->token());
+  place.part = fmt::format("{}.{}.part", place.file.string(), unique_token());
   const std::vector<std::filesystem::path> left = unfinished_files(place.folder);
   if (!control.force) find_checkpoint(place);
   require_room(config, place.folder);

@@ -11,9 +11,9 @@
 
 namespace bendlab {
 
-/// Computes a run, or reads its file if the run is complete. While this process computes, it claims the run's
-/// folder (claim.hpp): a second process waits until the run is complete. A file that was changed, or that
-/// belongs to another run, is set aside. A run that was stopped or killed, or whose machine lost power,
+/// Computes a run, or reads its file if the run is complete. While this process computes, it locks the run's
+/// folder (folder_lock.hpp): a second process waits until the run is complete. A file that was changed, or
+/// that belongs to another run, is set aside. A run that was stopped or killed, or whose machine lost power,
 /// continues from its last checkpoint, and gives the same bits.
 ///
 /// If config.starts_at_end_of is set, the run starts from `start`. The references of the run are computed

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "bendlab/io/claim.hpp"
+#include "bendlab/io/folder_lock.hpp"
 #include "bendlab/io/run_file.hpp"
 
 namespace bendlab {
@@ -23,9 +23,9 @@ struct RunControl {
   bool force = false;
   /// Time between checkpoints (checkpoint.hpp), s; 0: only one checkpoint, when the run is stopped.
   double checkpoint_interval_s = 10;
-  WhenOwned when_owned = WhenOwned::wait;  ///< what to do if another process is computing the run
-  /// Called with the name of another process that computes the run, before this process waits.
-  std::function<void(const std::string& owner)> waiting_for;
+  WhenLocked when_locked = WhenLocked::wait;  ///< what to do if another process is computing the run
+  /// Called before this process waits for another process, which is computing the run or a reference of it.
+  std::function<void()> waiting;
 };
 
 }  // namespace bendlab

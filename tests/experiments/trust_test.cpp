@@ -389,7 +389,7 @@ TEST_CASE("trust: the help of every command has an example", "[trust]") {
     CHECK_THAT(place.out(), ContainsSubstring("Example: "));
     ++commands;
   }
-  CHECK(commands == 29);
+  CHECK(commands == 26);
 }
 
 TEST_CASE("trust: the shells complete commands, options and files of the program", "[trust]") {

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +16,7 @@
 #include <thread>
 #include <vector>
 
+#include "bendlab/io/folder_lock.hpp"
 #include "tests/places.hpp"
 
 namespace bendlab::test {
@@ -52,7 +54,11 @@ class Workplace {
       _exit(98);
     }
     int status = 0;
-    while (run_files(".1").empty() && waitpid(child, &status, WNOHANG) == 0)
+    const auto computes = [&] {
+      return std::ranges::any_of(run_files(".lock"),
+                                 [](const auto& lock) { return is_locked(lock.parent_path()); });
+    };
+    while (!computes() && waitpid(child, &status, WNOHANG) == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(child, signal);
     waitpid(child, &status, 0);

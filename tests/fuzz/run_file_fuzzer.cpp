@@ -1,5 +1,5 @@
-// Files in the folder of a run: the checksum of the run file, the checkpoint, the claim of its owner, and the
-// texts and numbers in the run file.
+// Files in the folder of a run: the checksum of the run file, the checkpoint, and the texts and numbers in
+// the run file.
 //
 // The first byte, a digit, chooses the reader: see `readers`. HDF5 itself is not fuzzed. Its library crashes
 // on damaged files, or never ends. Therefore a child process of the program reads files without a valid
@@ -11,7 +11,6 @@
 #include <memory>
 
 #include "bendlab/io/checksum.hpp"
-#include "bendlab/io/claim.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/settings/archive.hpp"
@@ -164,19 +163,6 @@ void read_state(Bytes bytes) {
   }
 }
 
-void read_claims(Bytes bytes) {
-  const std::filesystem::path place = folder() / "claimed";
-  std::filesystem::create_directory(place);
-  write(place / "run.claim.7", bytes);
-  std::string name = "run.claim.";
-  for (const char c : bytes.substr(0, 20)) name += c == '/' || c == '\0' ? '1' : c;
-  write(place / name, bytes);
-  owner_of(place);
-  const std::unique_ptr<Claim> claim = Claim::of(place, {.give_up = [] { return true; }});
-  if (claim) require(claim->holds(), "the owner of a claim holds it");
-  std::filesystem::remove_all(place);
-}
-
 // JSON in a run file: the broken bound, the warnings and the config.
 void read_texts(Bytes bytes) {
   const Json json = Json::parse(bytes, nullptr, false);
@@ -231,8 +217,8 @@ void read_written(Bytes bytes) {
   require(same(read_metric(file, "drop").at(0), frame.metrics[0]), "metrics are read back");
 }
 
-constexpr std::array readers = {read_seal,   read_checkpoints, read_archive, read_state,
-                                read_claims, read_texts,       read_written};
+constexpr std::array readers = {read_seal,  read_checkpoints, read_archive,
+                                read_state, read_texts,       read_written};
 
 }  // namespace
 

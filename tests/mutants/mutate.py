@@ -35,7 +35,7 @@ ROOMS = {"lib/bendlab/constraints": 12, "lib/bendlab/bending": 12, "lib/bendlab/
 # Weight of an operator in the draw where a line offers several operators; 1 for all other operators.
 WEIGHTS = {"early return": 0.3, "removal": 0.8, "boundary": 0.6}
 # Tests that never run the program, or only measure its speed, or kill it; and tests that are built twice.
-NOT_RUN = (r"^(generic x86-64:.*|install|trust_kills|trust_workers|performance|analysis|claim_map|where|"
+NOT_RUN = (r"^(generic x86-64:.*|install|trust_kills|trust_shards|performance|analysis|claim_map|where|"
            r"map_rules|stated_numbers)$")
 
 

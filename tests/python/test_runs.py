@@ -3,6 +3,7 @@
     test_runs.py PROGRAM
 """
 import json
+import multiprocessing
 import os
 import signal
 import subprocess
@@ -16,13 +17,14 @@ from unittest import mock
 import numpy as np
 
 import bendlab as bl
+from bendlab.results.lock import is_locked
 
 try:
     import pandas
 except ImportError:
     pandas = None
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM = sys.argv.pop(1) if __name__ == "__main__" else None  # None: imported by a process of a test
 CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_left", "upper_right"]},
           "duration": 0.2,
           "sweep": {"/bending/model": ["crossover", "discrete_shells"], "/mesh/cells": [4, 6]}}
@@ -49,6 +51,15 @@ class Stopping(bl.Measure):
             os.kill(os.getpid(), signal.SIGINT)
             Stopping.interrupted.wait()
         return {"nothing": 0}
+
+def compute_sweep(out):
+    """Computes the runs of CONFIG with a longer duration, two at a time."""
+    table = bl.run({**CONFIG, "duration": 2.0}, out=out, jobs=2)
+    return list(table["status"])
+
+
+def locked_folders(out):
+    return [file.parent for file in Path(out).glob("**/run.lock") if is_locked(file.parent)]
 
 
 class Runs(unittest.TestCase):
@@ -192,6 +203,42 @@ class Runs(unittest.TestCase):
         whole = of_runs(self.place / "whole")
         for name in ("drop", "mean_strain"):
             self.assertEqual(list(table[name]), list(whole[name]))
+
+    def test_a_forked_child_has_no_part_in_the_locks_of_its_parent(self):
+        place, children = self.place, []
+
+        class Forking(bl.Measure):
+            numbers = {"seen": ("1", "locks that a forked child sees")}
+
+            def finish(self, x):
+                reader, writer = os.pipe()
+                child = os.fork()  # while this process computes, and so owns the folder
+                if child == 0:
+                    os.write(writer, bytes([len(locked_folders(place))]))
+                    signal.pause()
+                children.append(child)
+                return {"seen": os.read(reader, 1)[0]}
+
+        table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05), measures=[Forking], out=place)
+        self.assertEqual(list(table["seen"]), [1])
+        self.assertEqual(os.waitpid(children[0], os.WNOHANG), (0, 0))  # the child lives
+        self.assertEqual(locked_folders(place), [])
+        os.kill(children[0], signal.SIGKILL)
+        os.waitpid(children[0], 0)
+
+    def test_forked_and_spawned_processes_compute_a_sweep_together(self):
+        whole = self.place / "whole"
+        compute_sweep(whole)
+        for method in ("fork", "spawn"):
+            out = self.place / method
+            with multiprocessing.get_context(method).Pool(3) as pool:
+                self.assertEqual(pool.map(compute_sweep, [out] * 3), [["complete"] * 4] * 3)
+            self.assertEqual(locked_folders(out), [])
+            left = {file.name for file in out.glob("small/*/*")}
+            self.assertEqual(left, {"run.vtkhdf", "run.lock"})  # and no file of a second computation
+            for ours, theirs in zip(bl.load(out), bl.load(whole)):
+                self.assertEqual(ours.id, theirs.id)
+                self.assertTrue((ours.trajectory() == theirs.trajectory()).all())
 
 
 if __name__ == "__main__":

@@ -64,11 +64,9 @@ def places(program, folder):
     (folder / f"mesh{EVIL}.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     (folder / "bad.obj").write_text(f"v 0 0 {EVIL}\nf {EVIL}\n", encoding="utf-8")
 
-    run(program, "plan", "good.json", "--out", "planned", "--write", "plan.json", folder=folder)
-    plan = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
-    plan["runs"][0]["text"], plan["version"], plan["source_hash"] = EVIL, EVIL, EVIL
-    (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
-    failed = fresh(folder / "planned" / plan["runs"][0]["folder"])
+    planned = run(program, "plan", "good.json", "--json", "--out", "planned", folder=folder)
+    planned = json.loads(planned.stdout)
+    failed = fresh(folder / planned["folder"])
     (failed / "run.failure").write_text(EVIL, encoding="utf-8")
 
     for extra in ([], ["--json"]):
@@ -84,12 +82,11 @@ def places(program, folder):
         yield ["stiffness", "evil/run.vtkhdf", *extra]
         yield ["run", "config.json", *extra]
         yield ["plan", "config.json", *extra]
-        yield ["status", "plan.json", *extra]
+        yield ["plan", "good.json", "--out", "planned", *extra]
         yield ["mesh", f"mesh{EVIL}.obj", *extra]
         yield ["mesh", "bad.obj", *extra]
     yield ["validate", "config.json", "wrong.json", f"wrong{EVIL}.json", "broken.json"]
     yield ["validate", "config.json", "--strict"]
-    yield ["work", "plan.json"]
     yield ["run", "wrong.json", "--set", f"/mesh/cells={EVIL}", "--set", EVIL]
     yield [EVIL]
 

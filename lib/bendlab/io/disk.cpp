@@ -5,10 +5,11 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <cstdint>
+#include <random>
 #include <system_error>
-
-#include "bendlab/io/claim.hpp"
 
 namespace bendlab {
 namespace {
@@ -101,9 +102,8 @@ void remove_abandoned(const fs::path& file) {
   if (::unlink(file.c_str()) != 0 && errno != ENOENT) throw system_error(file, "can't be written");
 }
 
-bool write_new(const fs::path& file, std::string_view text, Existing existing) {
+void write_new(const fs::path& file, std::string_view text) {
   const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
-  if (descriptor < 0 && errno == EEXIST && existing == Existing::is_no_error) return false;
   if (descriptor < 0) throw system_error(file, "can't be written");
   for (std::string_view rest = text; !rest.empty();) {
     const ssize_t written = ::write(descriptor, rest.data(), rest.size());
@@ -115,12 +115,16 @@ bool write_new(const fs::path& file, std::string_view text, Existing existing) {
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
-  return true;
 }
 
-void overwrite(const fs::path& file, std::string_view text) noexcept {
-  const Descriptor descriptor(file, O_WRONLY | O_NOFOLLOW);
-  if (descriptor >= 0) static_cast<void>(::pwrite(descriptor, text.data(), text.size(), 0) < 0);
+std::string unique_token() {
+  static const std::uint64_t random = [] {
+    std::random_device device;
+    return (std::uint64_t{device()} << 32) | device();
+  }();
+  static std::atomic<std::uint64_t> count{0};
+  // Processes that fork() made share `random` and `count`, but not the number of the process.
+  return fmt::format("{}-{:016x}-{}", getpid(), random, count++);
 }
 
 void replace_file(const fs::path& file, std::string_view text, Wait wait) {

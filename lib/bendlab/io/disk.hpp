@@ -26,16 +26,11 @@ void require_readable(const std::filesystem::path& file);
 /// open.
 void remove_abandoned(const std::filesystem::path& file);
 
-enum class Existing { is_an_error, is_no_error };
+/// Makes a file with this text. Throws RunFileError, also if a file or a link with this name exists.
+void write_new(const std::filesystem::path& file, std::string_view text);
 
-/// Makes a file with this text. If a file or a link with this name exists, the function does not change it:
-/// `existing` says whether the function returns false or throws RunFileError. Throws RunFileError for every
-/// other failure.
-bool write_new(const std::filesystem::path& file, std::string_view text,
-               Existing existing = Existing::is_an_error);
-
-/// Overwrites the first bytes of an existing file. Failures are ignored.
-void overwrite(const std::filesystem::path& file, std::string_view text) noexcept;
+/// A text for the names of new files, which no other call on any machine returns.
+std::string unique_token();
 
 enum class Wait { for_disk, no };
 

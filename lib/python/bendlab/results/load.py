@@ -18,7 +18,7 @@ import numpy as np
 
 from bendlab.results import registry
 from bendlab.results.checksum import require_readable
-from bendlab.results.claim import is_owned
+from bendlab.results.lock import is_locked
 from bendlab.results.facts import Facts
 from bendlab.results.run_index import Index, stamp_of
 
@@ -27,7 +27,7 @@ def _opened(path):
     """The opened HDF5 file. Tests the checksum first, because lists of runs do not open the files.
     BlockingIOError if a process is writing the file."""
     path = Path(path)
-    if path.suffix == ".part" and is_owned(path.parent):
+    if path.suffix == ".part" and is_locked(path.parent):
         raise BlockingIOError(f"{path} is being written by another process")
     require_readable(path)
     return h5py.File(path, "r")

@@ -1,6 +1,7 @@
-"""Workers of one plan on this machine, some of which are killed. Every run must be computed once, to its end.
+"""Shards of a sweep, and the whole sweep beside them, some of which are killed. Every run must be computed
+once, with the same bits as by one process.
 
-    workers.py PROGRAM [ROUNDS]      exit 1 if a round fails
+    shards.py PROGRAM [ROUNDS]      exit 1 if a round fails
 """
 import json
 import random
@@ -10,7 +11,7 @@ import time
 
 from program import differences, fresh, run, run_files, start, write_config
 
-WORKERS = 3
+SHARDS = 3
 RUNS = 12
 
 
@@ -18,20 +19,22 @@ def wrong_in(program, folder, number):
     """The problem after a round, or "" if there is none."""
     chance = random.Random(number)
     fresh(folder / "out")
-    run(program, "plan", "sweep.json", "--write", "plan.json", "--out", "out", folder=folder)
-    children = [start(program, "work", "plan.json", "--shard", f"{k}/{WORKERS}", "--jobs", 1,
-                      "--checkpoint", 0.01, folder=folder) for k in range(WORKERS)]
+    same = ("run", "sweep.json", "--out", "out", "--json", "--jobs", 1, "--checkpoint", 0.01)
+    children = [start(program, *same, "--shard", f"{k}/{SHARDS}", folder=folder) for k in range(SHARDS)]
+    children.append(start(program, *same, folder=folder))
     time.sleep(chance.uniform(0.05, 1))
-    children[chance.randrange(WORKERS)].kill()
-    texts = [child.communicate()[1] for child in children]
-    last = run(program, "work", "plan.json", folder=folder)  # if all other workers had ended
-    lines = "\n".join([*texts, last.stderr]).splitlines()
-    computed = [line.split(": complete in")[0] for line in lines if ": complete in" in line]
-    states = [json.loads(line)["state"] for line in
-              run(program, "status", "plan.json", "--json", folder=folder).stdout.splitlines()]
-    if states != ["complete"] * RUNS:
-        return f"states {states}: {lines}"
-    # A killed worker may have finished its last file without printing this.
+    children[chance.randrange(SHARDS)].kill()
+    outputs = [child.communicate() for child in children]
+    last = run(program, *same, folder=folder)
+    errors = "".join(errors for _, errors in outputs)
+    if last.returncode:
+        return f"exit code {last.returncode}: {last.stderr}{errors}"
+    runs = [json.loads(line) for line in last.stdout.splitlines()]
+    if [entry["status"] for entry in runs] != ["complete"] * RUNS:
+        return f"the runs are {[entry['status'] for entry in runs]}"
+    texts = [*(output for output, _ in outputs), last.stdout]
+    computed = [entry["id"] for entry in map(json.loads, "".join(texts).splitlines()) if not entry["reused"]]
+    # A killed process may have finished its last file without printing this.
     if len(computed) != len(set(computed)) or not RUNS - 1 <= len(computed) <= RUNS:
         return f"{RUNS} runs were computed {len(computed)} times: {sorted(computed)}"
     wrong = [f"{file.parent.name}: {what}" for file in run_files(folder / "whole")
