@@ -40,13 +40,14 @@ if(CMAKE_MATCH_1 EQUAL 16)  # what malloc() aligns to: the library would use it 
 endif()
 
 set(rooms settings mesh constraints bending effects solver metrics scene io)
-foreach(room IN LISTS rooms ITEMS flags)
+foreach(room IN LISTS rooms ITEMS flags experiments bench dialects fit)
   set_target_properties(bendlab_${room} PROPERTIES EXPORT_NAME ${room})
 endforeach()
-set_target_properties(bendlab_experiments PROPERTIES EXPORT_NAME bendlab)
+set_target_properties(bendlab_cli PROPERTIES EXPORT_NAME bendlab)
 set_target_properties(bendlab_program PROPERTIES EXPORT_NAME program)
 list(TRANSFORM rooms PREPEND bendlab_)
-install(TARGETS bendlab_flags ${rooms} bendlab_experiments bendlab_program EXPORT bendlab)
+install(TARGETS bendlab_flags ${rooms} bendlab_experiments bendlab_bench bendlab_dialects bendlab_fit
+  bendlab_cli bendlab_program EXPORT bendlab)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bendlab)
 install(EXPORT bendlab DESTINATION ${package} NAMESPACE bendlab:: FILE bendlabTargets.cmake)

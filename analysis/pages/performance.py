@@ -1,9 +1,8 @@
 """The page about the cost of the solver on this machine, from the output of `bendlab bench --json`."""
 import json
-import re
 import sys
 
-from figures.performance import (effects, history, kinds, laws, limits, methods, order, overview, set_up,
+from figures.performance import (effects, history, kinds, laws, limits, measured, methods, overview, set_up,
                                  sizes, threads)
 from figures.performance.rows import PRECISION, iterations, per_vertex, shown, table
 from pages.project import Content, Figure, Page
@@ -44,43 +43,40 @@ FIGURES = [
            "Before the first step, the program finds the springs (which vertices lie in which ring) and "
            "sorts them by colour: springs of one colour share no vertex, so that they can be projected at "
            "the same time. The chart is for adaptive springs, because a fine mesh has many of them."),
-    Figure(order, "What does the order by colour cost?", "Order",
-           "Constraints of one colour share no vertex, so the processor can project many at once. But in one "
-           "iteration a correction reaches fewer vertices than in list order, where each constraint uses the "
-           "positions that the previous constraint has just moved. The error is the mean strain of the "
-           "triangles after a step."),
     Figure(threads, "What do more threads gain?", "Threads"),
     Figure(history, "Was the solver faster before?", "History"),
 ]
 
 
 def read(file):
-    """The output of the benchmark, read from a file."""
+    """The output of the benchmark, read from a file, with its rows and the limits of the machine."""
     try:
         bench = json.loads(file.read_text(encoding="utf-8"))
-        if not isinstance(bench, dict) or not {"context", "rows"} <= bench.keys():
-            raise ValueError("it has no 'context' or no 'rows'")
-        return bench
+        if not isinstance(bench, dict) or not {"context", "benchmarks"} <= bench.keys():
+            raise ValueError("it has no 'context' or no 'benchmarks'")
+        return {"context": measured.context_of(bench), "benchmarks": bench["benchmarks"],
+                "rows": measured.rows_of(bench), "machine": measured.machine_of(bench)}
     except (OSError, ValueError) as error:
         sys.exit(f"{file}: {error}. Write this file with: ./bendlab bench --json > {file}")
 
 
 def write_data(sections, bench, out):
-    """Writes summary.json, with an object per row. Writes bench.json if it does not have these rows."""
-    file = out / "bench.json"
-    if not file.exists() or read(file) != bench:
-        file.write_text(json.dumps(bench, indent=1), encoding="utf-8")
+    """Writes summary.json, with an object per row, and bench.json, with an object of Google Benchmark per
+    line. Google Benchmark itself needs several times the space."""
+    context, benchmarks = json.dumps(bench["context"], indent=1), map(json.dumps, bench["benchmarks"])
+    (out / "bench.json").write_text(
+        f'{{"context": {context},\n "benchmarks": [\n' + ",\n".join(benchmarks) + "\n]}\n", encoding="utf-8")
     write_objects(out / history.FILE, history.measurements(bench, out))
     write_objects(out / "summary.json", [
-        rounded({**row, "ns_per_vertex": per_vertex(row) if row["ns_per_constraint"] is not None else None})
-        for row in bench["rows"]])
+        rounded({**row, "ns_per_vertex": per_vertex(row)}) for row in bench["rows"]])
 
 
 def content(sections, out):
     """The page's answer, and sections on the method, on every row, and on the data."""
     bench = read(out / "bench.json")
     context = bench["context"]
-    parts = [Part("method", "How was it measured?", method_html(bench) + machine_html(context), "Method"),
+    method = method_html(bench) + machine_html(context, bench["machine"])
+    parts = [Part("method", "How was it measured?", method, "Method"),
              Part("rows", "Every timed row", rows_html(bench["rows"]), "Rows"),
              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every row, with the time "
                   "per vertex. <a href='bench.json'>bench.json</a>: the output of the "
@@ -94,18 +90,19 @@ def content(sections, out):
 
 def made_by(context):
     """Commit, date and machine of the rows."""
-    return Made(context["git_commit"][:12] + (" with changes" if context["git_dirty"] else ""),
+    return Made(context["git_commit"][:12] + (" with changes" if context["git_dirty"] == "true" else ""),
                 context["date"].replace("T", " ").rstrip("Z") + " UTC",
-                f"{context['processor']}, {context['host']}", MEASURE)
+                f"{context['processor']}, {context['host_name']}", MEASURE)
 
 
 def tree(context):
-    return "with changes that are not committed" if context["git_dirty"] else "without further changes"
+    changed = context["git_dirty"] == "true"
+    return "with changes that are not committed" if changed else "without further changes"
 
 
 def method_html(bench):
     rounds = iterations(bench["rows"])
-    repetitions = " or ".join(map(str, sorted({row["repetitions"] for row in bench["rows"]} - {0})))
+    repetitions = " or ".join(map(str, sorted({row["repetitions"] for row in bench["rows"]})))
     step = (f"A step has {rounds} iterations, and an iteration visits every constraint once. "
             if rounds else "")
     median = (f"Each number is the median of {repetitions} repetitions, with the lowest and the highest "
@@ -119,26 +116,26 @@ def method_html(bench):
             "CHOLMOD's solve in double precision, at each size. The <b>roofline</b> is the least time that "
             "the machine allows: the largest of three times, for the arithmetic, for the bytes through the "
             "first cache, and for the bytes through the cache or memory that holds the whole cloth. These "
-            "limits of the machine are measured in the same process and listed below.</p>")
+            "limits of the machine are measured in the same process and listed below. The bandwidth of other "
+            "sizes is interpolated.</p>")
 
 
-def machine_html(context):
+def machine_html(context, machine):
     rows = {"processor": context["processor"], "vectors": f"{context['vector_bits']} bits",
-            "host": context["host"], "date (UTC)": context["date"].replace("T", " ").rstrip("Z"),
+            "host": context["host_name"], "date (UTC)": context["date"].replace("T", " ").rstrip("Z"),
             "compiler": context["compiler"], "flags": context["flags"], "build": context["build_type"],
             "version of bendlab": context["version"], "commit": f"{context['git_commit']}, {tree(context)}",
             "hash of the source": context["source_hash"]}
-    for key, value in context.items():
-        if size := re.fullmatch(r"triad_(\d+)_(\w+)_GB_per_s", key):
-            rows[f"bandwidth on {size[1]} {size[2]}"] = f"{number(value)} GB/s"
-        elif peak := re.fullmatch(r"peak_(\w+)_Gflop_per_s", key):
-            rows[f"peak in {PRECISION[peak[1]]} precision"] = f"{number(value)} Gflop/s"
+    for size, bandwidth in machine.bandwidths.items():
+        rows[f"bandwidth on {size // 1024:,} KiB"] = f"{number(bandwidth / 1e9)} GB/s"
+    for scalar, peak in machine.peaks.items():
+        rows[f"peak in {PRECISION[scalar]} precision"] = f"{number(peak / 1e9)} Gflop/s"
     cells = "".join(row_html(element("td", escape(text), class_="t") for text in row) for row in rows.items())
     return scroll_table("", cells, class_="cards")
 
 
 def rows_html(rows):
-    timed = [shown(row) | {"row": row["name"]} for row in rows if row["ns_per_constraint"] is not None]
+    timed = [shown(row) | {"row": row["name"]} for row in rows]
     made = table("rows", "ns per constraint and iteration (set_up: per spring; effects: per vertex and step; "
                  "methods: per vertex and iteration; solves: per vertex)",
                  ["row", "threads", "precision", "vertices", ("ns", "ns"), "range", "ratio", "share"], timed)

@@ -1,80 +1,91 @@
 #include "experiments/bench/bench.hpp"
 
-#include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
-#include <map>
-#include <regex>
-#include <set>
 #include <stdexcept>
+#include <utility>
 
-#include "bendlab/settings/median.hpp"
+#include "bendlab/constraints/pack.hpp"
 #include "bendlab/solver/simulation.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/machine.hpp"
+#include "experiments/run/version.hpp"
 
 namespace bendlab {
 namespace {
 
-/// Keeps the times that Google Benchmark measured, instead of printing them.
-class Collector : public benchmark::BenchmarkReporter {
+bool has_failed = false;  // a benchmark of this process
+
+/// Leaves out the mean and the deviation, which a single disturbed repetition changes.
+template <class Reporter>
+class Brief : public Reporter {
  public:
-  bool ReportContext(const Context&) override { return true; }
+  using Reporter::Reporter;
+  using Run = benchmark::BenchmarkReporter::Run;
   void ReportRuns(const std::vector<Run>& runs) override {
-    for (const Run& run : runs)
-      if (run.run_type == Run::RT_Iteration)
-        seconds.push_back(run.real_accumulated_time / static_cast<double>(run.iterations));
+    std::vector<Run> kept = runs;
+    std::erase_if(kept, [](const Run& run) {
+      return run.aggregate_name == "mean" || run.aggregate_name == "stddev" || run.aggregate_name == "cv";
+    });
+    if (!kept.empty()) Reporter::ReportRuns(kept);
   }
-  std::vector<double> seconds;  // per iteration, of each repetition
 };
 
-std::vector<BenchCase> all_cases(const BenchOptions& options) {
-  std::vector<BenchCase> all;
-  // Set-up cases come first: their peak memory is measured while the heap is as small as in a run.
-  for (const auto& family :
-       {set_up_cases, cloth_cases, method_cases, effect_cases, run_cases, convergence_cases})
-    for (BenchCase& bench_case : family(options)) all.push_back(std::move(bench_case));
-  return all;
-}
-
-std::regex expression_of(const std::string& filter) {
-  try {
-    return std::regex(filter);
-  } catch (const std::regex_error& error) {
-    throw UsageError(fmt::format("--filter '{}' is no regular expression: {}", filter, error.what()));
-  }
+void add_context() {
+  const BuildInfo& build = build_info();
+  const auto add = [](const char* key, std::string_view value) {
+    benchmark::AddCustomContext(key, std::string(value));
+  };
+  add("processor", processor_name());
+  add("compiler", build.compiler);
+  add("flags", build.flags);
+  add("build_type", build.build_type);
+  add("vector_bits", std::to_string(8 * pack_bytes));
+  add("version", build.version);
+  add("git_commit", build.git_commit);
+  add("git_dirty", build.git_dirty ? "true" : "false");
+  add("source_hash", build.source_hash);
 }
 
 }  // namespace
-
-Spread spread_of(std::vector<double> values) {
-  if (values.empty()) return {};
-  const auto [lowest, highest] = std::ranges::minmax(values);
-  return {median(std::move(values)), lowest, highest};
-}
 
 std::string bench_id(const std::string& name, const std::string& scalar, int threads) {
   return fmt::format("{}/{}{}", name, scalar, threads > 1 ? fmt::format("/threads:{}", threads) : "");
 }
 
-Spread repeated(const std::string& id, int repetitions, double least_s,
-                const std::function<double()>& measure) {
-  benchmark::ClearRegisteredBenchmarks();
-  auto* const registered = benchmark::RegisterBenchmark(id.c_str(), [&](benchmark::State& state) {
-    for ([[maybe_unused]] const auto _ : state) state.SetIterationTime(measure());
-  });
-  registered->UseManualTime()->Repetitions(repetitions);
-  least_s > 0 ? registered->MinTime(least_s) : registered->Iterations(1);
-  Collector collector;
-  benchmark::RunSpecifiedBenchmarks(&collector, "all");
-  benchmark::ClearRegisteredBenchmarks();
-  return spread_of(std::move(collector.seconds));
+benchmark::internal::Benchmark* add_benchmark(const std::string& id,
+                                              std::function<void(benchmark::State&)> work) {
+  const auto guarded = [work = std::move(work)](benchmark::State& state) {
+    try {
+      work(state);
+    } catch (const std::exception& error) {
+      has_failed = true;
+      state.SkipWithError(error.what());
+    }
+  };
+  using Values = std::vector<double>;
+  return benchmark::RegisterBenchmark(id.c_str(), guarded)
+      ->ComputeStatistics("lowest", [](const Values& values) { return std::ranges::min(values); })
+      ->ComputeStatistics("highest", [](const Values& values) { return std::ranges::max(values); });
 }
 
-Spread ns_per(double count, const Spread& seconds) {
-  return {1e9 * seconds.median / count, 1e9 * seconds.lowest / count, 1e9 * seconds.highest / count};
+double least_s(const BenchOptions& options) {
+  return options.quick ? 0.005 : 0.15;
+}
+
+void set_counters(benchmark::State& state, std::int64_t vertices, std::int64_t constraints, double items) {
+  using benchmark::Counter;
+  state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["constraints"] = static_cast<double>(constraints);
+  state.counters["seconds_per_item"] = Counter(items, Counter::kIsIterationInvariantRate | Counter::kInvert);
+}
+
+std::pair<std::string, std::shared_ptr<void>>& last_scene() {
+  static std::pair<std::string, std::shared_ptr<void>> last;
+  return last;
 }
 
 StepSeconds timed_step(Simulation& simulation) {
@@ -85,38 +96,41 @@ StepSeconds timed_step(Simulation& simulation) {
   return {cpu, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
-std::vector<BenchCase> bench_cases(const BenchOptions& options) {
-  const std::regex filter = expression_of(options.filter);
-  std::vector<BenchCase> all = all_cases(options), chosen;
-  std::set<std::string> wanted;
-  for (const BenchCase& bench_case : all)
-    if (std::regex_search(bench_case.id, filter)) wanted.insert({bench_case.id, bench_case.oracle});
-  for (BenchCase& bench_case : all)
-    if (wanted.contains(bench_case.id)) chosen.push_back(std::move(bench_case));
-  if (chosen.empty())
-    throw UsageError(fmt::format(
-        "--filter '{}' chooses no benchmark; 'bendlab bench --list' lists all benchmarks", options.filter));
-  return chosen;
+double cpu_seconds(const std::function<void()>& work) {
+  const double start = thread_cpu_s();
+  work();
+  return thread_cpu_s() - start;
 }
 
-std::vector<BenchRow> run_bench(
-    const std::vector<BenchCase>& cases, const std::function<void(const std::string& id)>& on_start,
-    const std::function<void(const std::string& id, const std::string& why)>& on_failure) {
-  std::vector<BenchRow> rows;
-  std::map<std::string, double> ns;  // per id
-  for (const BenchCase& bench_case : cases) {
-    on_start(bench_case.id);
-    try {
-      rows.push_back(bench_case.run());
-    } catch (const std::exception& error) {
-      on_failure(bench_case.id, error.what());
-      continue;
-    }
-    ns[bench_case.id] = rows.back().ns.median;
-    if (const auto oracle = ns.find(bench_case.oracle); oracle != ns.end())
-      rows.back().ratio_to_oracle = oracle->second / ns[bench_case.id];
-  }
-  return rows;
+int run_benchmarks(const BenchOptions& options) {
+  std::vector<std::string> flags = {"bendlab", "--benchmark_report_aggregates_only=true",
+                                    "--benchmark_filter=" + options.filter,
+                                    fmt::format("--benchmark_repetitions={}", options.repetitions),
+                                    fmt::format("--benchmark_list_tests={}", options.list)};
+  flags.insert(flags.end(), options.flags.begin(), options.flags.end());
+  std::vector<char*> arguments;
+  for (std::string& flag : flags) arguments.push_back(flag.data());
+  int count = static_cast<int>(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return exit_usage;
+
+  [[maybe_unused]] static const bool is_added = (add_context(), true);
+  // Set-up cases come first: their peak memory is measured while the heap is as small as in a run.
+  register_set_up_cases(options);
+  register_machine_cases(options);
+  register_cloth_cases(options);
+  register_method_cases(options);
+  register_effect_cases(options);
+  register_run_cases(options);
+
+  Brief<benchmark::ConsoleReporter> table(benchmark::ConsoleReporter::OO_Tabular);
+  Brief<benchmark::JSONReporter> json;
+  benchmark::BenchmarkReporter* reporter = &table;
+  if (options.json) reporter = &json;
+  const std::size_t matches = benchmark::RunSpecifiedBenchmarks(reporter);
+  benchmark::ClearRegisteredBenchmarks();
+  last_scene() = {};
+  return matches == 0 ? exit_usage : has_failed ? exit_failed : exit_ok;
 }
 
 }  // namespace bendlab

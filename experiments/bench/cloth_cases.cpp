@@ -2,11 +2,10 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <tuple>
 
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/bench.hpp"
-#include "experiments/bench/roofline.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/config/experiment.hpp"
 
 namespace bendlab {
@@ -22,11 +21,10 @@ struct ClothKind {
   bool oracle = false;
   double compliance = 0;            // of bending; 0: k
   std::string form = "normalised";  // of strain
-  bool operator==(const ClothKind&) const = default;
 };
 
-RunConfig config_of(const ClothKind& kind) {
-  const std::string text = fmt::format(
+std::string config_text(const ClothKind& kind) {
+  return fmt::format(
       R"({{"name": "bench", "defaults": "paper", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}},
           "material": {{"strain": {{"form": "{}"}}}}, "initial": {{"perturbation": 1e-6}},
           "pins": {{"vertices": ["left", "right"], "ring": 0}},
@@ -36,7 +34,6 @@ RunConfig config_of(const ClothKind& kind) {
                           : std::string(),
       kind.form, iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
       kind.oracle ? "mesh" : "colour");
-  return parse_experiment(text, "bench").runs.front();
 }
 
 /// Seconds of a step, and of its two projection passes.
@@ -49,8 +46,8 @@ struct StepTime {
 /// times as much.
 class MovingCloth {
  public:
-  explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {
-    const BuiltScene scene = build_scene(config_of(kind).scene());
+  MovingCloth(const std::string& config, int threads) : threads_(threads) {
+    const BuiltScene scene = build_scene(parse_experiment(config, "bench").runs.front().scene());
     vertices = scene.rest.vertex_count();
     triangles = static_cast<std::int64_t>(scene.input.strain.size());
     bending = static_cast<std::int64_t>(scene.input.distance.size() + element_count(scene.input.elements));
@@ -88,23 +85,6 @@ class MovingCloth {
   std::unique_ptr<Simulation> simulation_;
 };
 
-/// Stores the cloth of the last case, because the next case often has the same cloth.
-class LastCloth {
- public:
-  MovingCloth& of(const ClothKind& kind) {
-    if (!cloth_ || kind != kind_) {
-      cloth_.reset();  // two large cloths at once would only cost memory
-      cloth_ = std::make_unique<MovingCloth>(kind);
-      kind_ = kind;
-    }
-    return *cloth_;
-  }
-
- private:
-  ClothKind kind_;
-  std::unique_ptr<MovingCloth> cloth_;
-};
-
 enum class Part { strain, bending, step };
 
 std::string name_of(Part part, const ClothKind& kind) {
@@ -117,67 +97,30 @@ std::string name_of(Part part, const ClothKind& kind) {
                      kind.oracle ? "_oracle" : "", kind.cells);
 }
 
-/// The cost of one bending constraint of a cloth.
-const ConstraintCost& bending_cost(const ClothKind& kind) {
-  const std::string& model = kind.model;
-  if (model == "choi_ko") return kind.compliance > 0 ? compliant_arc_cost : arc_cost;
-  if (model == "isometric") return quadratic_cost;
-  if (model == "laplacian") return laplacian_cost;
-  if (model == "mid_edge") return mid_edge_cost;
-  if (model == "mid_edge_average" || model == "corotational_face") return face_cost;
-  return model == "dihedral" || model == "bridson" ? hinge_cost : distance_cost;
-}
-
-/// Least seconds that one round over the part's constraints can take.
-double roofline_of(Part part, const ClothKind& kind, const MovingCloth& cloth) {
-  const std::size_t scalar = kind.scalar == "float" ? sizeof(float) : sizeof(double);
-  const auto triangles = static_cast<std::size_t>(cloth.triangles),
-             bending = static_cast<std::size_t>(cloth.bending);
-  const ConstraintCost& cost_of_bending = bending_cost(kind);
-  const std::size_t scene = triangles * streamed_bytes(strain_cost, scalar) +
-                            bending * streamed_bytes(cost_of_bending, scalar) +
-                            static_cast<std::size_t>(cloth.vertices) * 4 * scalar;
-  const auto least = [&](const ConstraintCost& cost, std::int64_t constraints) {
-    const auto count = static_cast<double>(constraints);
-    return count * roofline_seconds(cost, scalar, cloth.vertices / count, scene);
-  };
-  return (part != Part::bending ? least(strain_cost, cloth.triangles) : 0) +
-         (part != Part::strain ? least(cost_of_bending, cloth.bending) : 0);
-}
-
-BenchRow measure(Part part, const ClothKind& kind, MovingCloth& cloth, const BenchOptions& options) {
-  BenchRow row{.name = name_of(part, kind),
-               .scalar = kind.scalar,
-               .threads = kind.threads,
-               .vertices = cloth.vertices,
-               .constraints =
-                   (part != Part::bending ? cloth.triangles : 0) + (part != Part::strain ? cloth.bending : 0),
-               .repetitions = options.repetitions};
-  const Spread seconds = repeated(
-      bench_id(row.name, row.scalar, row.threads), options.repetitions, options.quick ? 0.005 : 0.15, [&] {
-        const StepTime time = cloth.step();
-        return part == Part::strain ? time.strain : part == Part::bending ? time.bending : time.all;
-      });
-  row.ns = ns_per(static_cast<double>(iterations * row.constraints), seconds);
-  row.roofline_fraction = iterations * roofline_of(part, kind, cloth) / kind.threads / seconds.median;
-  if (part == Part::step) row.more["step_ms"] = 1e3 * seconds.median;
-  row.more["mean_speed_m_per_s"] = cloth.mean_speed();
-  return row;
+void measure(benchmark::State& state, Part part, const ClothKind& kind) {
+  const std::string config = config_text(kind);
+  MovingCloth& cloth = staged(config, [&] { return std::make_shared<MovingCloth>(config, kind.threads); });
+  for ([[maybe_unused]] const auto _ : state) {
+    const StepTime time = cloth.step();
+    state.SetIterationTime(part == Part::strain    ? time.strain
+                           : part == Part::bending ? time.bending
+                                                   : time.all);
+  }
+  const std::int64_t constraints =
+      (part != Part::bending ? cloth.triangles : 0) + (part != Part::strain ? cloth.bending : 0);
+  set_counters(state, cloth.vertices, constraints, static_cast<double>(iterations * constraints));
+  state.counters["mean_speed_m_per_s"] = cloth.mean_speed();
 }
 
 }  // namespace
 
-std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
-  std::vector<BenchCase> cases;
-  const auto last = std::make_shared<LastCloth>();
+void register_cloth_cases(const BenchOptions& options) {
   const int usual = options.quick ? 32 : 128;  // cells of oracle and steps
   const auto add = [&](Part part, const ClothKind& kind) {
-    ClothKind oracle = kind;
-    oracle.cells = usual, oracle.threads = 1, oracle.oracle = true;
-    cases.push_back(
-        {.id = bench_id(name_of(part, kind), kind.scalar, kind.threads),
-         .oracle = kind.oracle || kind.compliance > 0 ? "" : bench_id(name_of(part, oracle), kind.scalar),
-         .run = [=] { return measure(part, kind, last->of(kind), options); }});
+    add_benchmark(bench_id(name_of(part, kind), kind.scalar, kind.threads),
+                  [=](benchmark::State& state) { measure(state, part, kind); })
+        ->UseManualTime()
+        ->MinTime(least_s(options));
   };
   using Sizes = std::vector<int>;
   for (const char* scalar : {"float", "double"}) {
@@ -208,7 +151,6 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
       if (threads != 1)
         add(Part::step, {.cells = usual, .model = "crossover", .scalar = scalar, .threads = threads});
   }
-  return cases;
 }
 
 }  // namespace bendlab

@@ -11,6 +11,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/bench.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/config/experiment.hpp"
 
 namespace bendlab {
@@ -87,7 +88,7 @@ struct Stack {
 };
 
 /// A cloth of `cells` by `cells` with crossover springs and 10 iterations, under gravity and the effect.
-RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar, const BallFile& ball) {
+RunConfig config_of(const EffectScene& scene, int cells, const BallFile& ball) {
   const bool stacked = scene.effect == "self_collision";
   const Stack stack{1.0 / cells};
   const std::string gravity = scene.effect == "gravity" || stacked ? "" : R"({"type": "gravity"}, )";
@@ -101,9 +102,8 @@ RunConfig config_of(const EffectScene& scene, int cells, const std::string& scal
       R"({{"name": "bench", "defaults": "paper",
           "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
           "effects": [{}{}{{"type": "{}"{}{}}}], "initial": {{{}}},
-          "solver": {{"precision": "{}"}}}})",
-      cells, scene.scene, gravity, before, scene.effect, file, more, pose,
-      scalar == "float" ? "single" : "double");
+          "solver": {{"precision": "single"}}}})",
+      cells, scene.scene, gravity, before, scene.effect, file, more, pose);
   return parse_experiment(text, "bench").runs.front();
 }
 
@@ -143,47 +143,35 @@ class TimedEffect {
   std::unique_ptr<Simulation> simulation_;
 };
 
-BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
-                 const BenchOptions& options) {
-  const BallFile ball;
-  TimedEffect cloth(config_of(scene, cells, scalar, ball), scene.effect);
-  BenchRow row{.name = fmt::format("effect/{}/{}", scene.effect, cells),
-               .scalar = scalar,
-               .vertices = cloth.vertices,
-               .constraints = cloth.vertices,
-               .repetitions = options.repetitions};
-  // The number of steps of a repetition is fixed. With a least time of the passes instead, a repetition would
-  // have too many steps, because the effect is a small part of a step.
-  // After more steps, the layers of a stack would no longer have the same contacts.
-  const int together = scene.effect == "self_collision"
-                           ? 3
-                           : std::clamp((options.quick ? 20'000 : 200'000) / cloth.vertices, 3, 200);
-  const auto step = [&] {
-    double sum = 0;
-    for (int i = 0; i < together; ++i) sum += cloth.step() / together;
-    return sum;
-  };
-  const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions, 0, step);
-  row.ns = ns_per(cloth.vertices, seconds);  // per vertex and step
-  row.more["acted_per_step"] = cloth.acted;
-  if (cloth.acted > 0) row.more["per_action_ns"] = 1e9 * seconds.median / cloth.acted;
-  row.more["share_of_step"] = cloth.share;
-  return row;
+void measure(benchmark::State& state, const EffectScene& scene, const std::string& name, int cells) {
+  TimedEffect& cloth = staged(
+      name, [&] { return std::make_shared<TimedEffect>(config_of(scene, cells, BallFile()), scene.effect); });
+  for ([[maybe_unused]] const auto _ : state) state.SetIterationTime(cloth.step());
+  set_counters(state, cloth.vertices, cloth.vertices, cloth.vertices);
+  state.counters["acted_per_step"] = cloth.acted;
+  state.counters["share_of_step"] = cloth.share;
 }
 
 }  // namespace
 
-std::vector<BenchCase> effect_cases(const BenchOptions& options) {
+void register_effect_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
-  std::vector<BenchCase> cases;
   for (const EffectScene& scene : all_effect_scenes())
     for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
+      const bool stacked = scene.effect == "self_collision";
       // Left out: the contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
-      if (scene.effect == "self_collision" && cells == 1000) continue;
-      cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
-                       .run = [=] { return measure(scene, cells, "float", options); }});
+      if (stacked && cells == 1000) continue;
+      // The number of steps of a repetition is fixed. With a least time of the passes instead, a repetition
+      // would have too many steps, because the effect is a small part of a step. After more than three steps,
+      // the layers of a stack would no longer have the same contacts.
+      const int vertices = (cells + 1) * (cells + 1);
+      const int steps = stacked ? 3 : std::clamp((options.quick ? 20'000 : 200'000) / vertices, 3, 200);
+      const std::string name = fmt::format("effect/{}/{}", scene.effect, cells);
+      add_benchmark(bench_id(name, "float"),
+                    [=](benchmark::State& state) { measure(state, scene, name, cells); })
+          ->UseManualTime()
+          ->Iterations(steps);
     }
-  return cases;
 }
 
 }  // namespace bendlab

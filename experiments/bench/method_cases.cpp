@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <type_traits>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/kernels.hpp"
@@ -18,7 +19,7 @@
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
 #include "experiments/bench/bench.hpp"
-#include "experiments/bench/roofline.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
 
@@ -70,10 +71,6 @@ RunConfig config_of(const MethodCase& kind) {
   return parse_experiment(text, "bench").runs.front();
 }
 
-std::size_t scalar_bytes(const std::string& scalar) {
-  return scalar == "float" ? sizeof(float) : sizeof(double);
-}
-
 /// The scene of a case, in the pose after a few steps.
 struct MovedScene {
   explicit MovedScene(const MethodCase& kind) : scene(build_scene(config_of(kind).scene())) {
@@ -103,39 +100,12 @@ Eigen::SparseMatrix<double> metric_of(const SimulationInput& input, std::vector<
   return matrix;
 }
 
-template <class Work>
-double cpu_seconds(const Work& work) {
-  const double start = thread_cpu_s();
-  work();
-  return thread_cpu_s() - start;
-}
-
-double least_s(const BenchOptions& options) {
-  return options.quick ? 0.005 : 0.15;
-}
-
 // ---- the gradient
-
-double least_gradient_seconds(const MovedScene& moved, std::size_t scalar, std::size_t scene_bytes) {
-  const double vertices = static_cast<double>(moved.vertices());
-  const auto least = [&](const ConstraintCost& cost, std::size_t constraints) {
-    const auto count = static_cast<double>(constraints);
-    return count * roofline_seconds(cost, scalar, vertices / count, scene_bytes);
-  };
-  return least(strain_force_cost, moved.triangles()) + least(hinge_force_cost, moved.hinges());
-}
-
-std::size_t gradient_bytes(const MovedScene& moved, std::size_t scalar) {
-  return moved.triangles() * streamed_bytes(strain_force_cost, scalar) +
-         moved.hinges() * streamed_bytes(hinge_force_cost, scalar) +
-         static_cast<std::size_t>(moved.vertices()) * 8 * scalar;
-}
 
 // Measures the gradient. Returns the norm of the force on the free vertices, N, which has to equal the norm
 // from the oracle.
 template <class Real>
-double force_of_gradient(const MovedScene& moved, const std::string& id, const BenchOptions& options,
-                         Spread& seconds) {
+double measure_fast_gradient(benchmark::State& state, const MovedScene& moved) {
   const SimulationInput& input = moved.scene.input;
   const Constraints<Real> constraints = ordered_constraints<Real>(input, nullptr);
   const auto count = static_cast<std::size_t>(moved.vertices());
@@ -152,160 +122,132 @@ double force_of_gradient(const MovedScene& moved, const std::string& id, const B
       add_forces(points.data(), forces.data(), batch, 0, batch.order.stack_count());
     });
   };
-  seconds = repeated(id, options.repetitions, least_s(options), [&] { return cpu_seconds(gradient); });
+  for ([[maybe_unused]] const auto _ : state) state.SetIterationTime(cpu_seconds(gradient));
   double sum = 0;
   for (std::size_t v = 0; v < count; ++v)
     if (!input.is_pinned[v]) sum += static_cast<double>(forces[slot(v)].vector().squaredNorm());
   return std::sqrt(sum);
 }
 
-BenchRow measure_gradient(const std::string& name, const MethodCase& kind, bool oracle,
-                          const BenchOptions& options) {
-  const MovedScene moved(kind);
-  BenchRow row{.name = name,
-               .scalar = kind.scalar,
-               .vertices = moved.vertices(),
-               .constraints = static_cast<std::int64_t>(moved.triangles() + moved.hinges()),
-               .repetitions = options.repetitions};
-  Spread seconds;
-  if (oracle) {
-    const ElasticSystem system(moved.scene.input);
-    Eigen::VectorXd gradient;
-    seconds = repeated(bench_id(name, kind.scalar), options.repetitions, least_s(options), [&] {
-      return cpu_seconds([&] { gradient = system.gradient(moved.scene.input.positions); });
-    });
-    row.more["force_N"] = gradient.norm();
-  } else {
-    const std::string id = bench_id(name, kind.scalar);
-    row.more["force_N"] = kind.scalar == "float" ? force_of_gradient<float>(moved, id, options, seconds)
-                                                 : force_of_gradient<double>(moved, id, options, seconds);
-    const std::size_t scalar = scalar_bytes(kind.scalar);
-    row.roofline_fraction =
-        least_gradient_seconds(moved, scalar, gradient_bytes(moved, scalar)) / seconds.median;
-  }
-  row.ns = ns_per(static_cast<double>(row.constraints), seconds);
-  return row;
+double measure_scalar_gradient(benchmark::State& state, const MovedScene& moved) {
+  const ElasticSystem system(moved.scene.input);
+  Eigen::VectorXd gradient;
+  for ([[maybe_unused]] const auto _ : state)
+    state.SetIterationTime(cpu_seconds([&] { gradient = system.gradient(moved.scene.input.positions); }));
+  return gradient.norm();
+}
+
+void measure_gradient(benchmark::State& state, const std::string& id, const MethodCase& kind, bool oracle) {
+  const MovedScene& moved = staged(id, [&] { return std::make_shared<MovedScene>(kind); });
+  state.counters["force_N"] = oracle                   ? measure_scalar_gradient(state, moved)
+                              : kind.scalar == "float" ? measure_fast_gradient<float>(state, moved)
+                                                       : measure_fast_gradient<double>(state, moved);
+  const auto constraints = static_cast<std::int64_t>(moved.triangles() + moved.hinges());
+  set_counters(state, moved.vertices(), constraints, static_cast<double>(constraints));
 }
 
 // ---- the solve
 
 /// CHOLMOD's own solver, with the elimination order of SparseFactor.
 struct Cholmod : Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> {
-  Cholmod() {
+  explicit Cholmod(const Eigen::SparseMatrix<double>& matrix) {
+    one_blas_thread();
     cholmod().nmethods = 1;
     cholmod().method[0].ordering = CHOLMOD_AMD;
+    compute(matrix);
   }
 };
 
 template <class Real>
-BenchRow solved_by_factor(BenchRow row, const Eigen::SparseMatrix<double>& matrix,
-                          const BenchOptions& options) {
-  const double start = thread_cpu_s();
-  const SparseFactor<Real> factor(matrix);
-  row.more["factorise_ms"] = 1e3 * (thread_cpu_s() - start);
-  row.more["entries_per_vertex"] = static_cast<double>(factor.entries()) / static_cast<double>(row.vertices);
+void measure_fast_solve(benchmark::State& state, const SparseFactor<Real>& factor) {
   Points<Real> points(factor.size());
-  const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions, least_s(options), [&] {
+  for ([[maybe_unused]] const auto _ : state) {
     for (Point<Real>& point : points) point.set(Vector3Of<Real>::Ones());
-    return cpu_seconds([&] { factor.solve(points.data()); });
-  });
-  row.ns = ns_per(static_cast<double>(row.vertices), seconds);
-  row.roofline_fraction = solve_roofline_seconds(factor.entries(), sizeof(Real)) / seconds.median;
-  return row;
+    state.SetIterationTime(cpu_seconds([&] { factor.solve(points.data()); }));
+  }
+  // A solve reads each entry twice: forward and backward.
+  const auto bytes = static_cast<std::int64_t>(2 * factor.entries() * sizeof(Real));
+  state.SetBytesProcessed(state.iterations() * bytes);
 }
 
-BenchRow measure_solve(const std::string& name, const MethodCase& kind, bool oracle,
-                       const BenchOptions& options) {
-  const BuiltScene scene = build_scene(config_of(kind).scene());
-  std::vector<int> vertices;
-  const Eigen::SparseMatrix<double> matrix = metric_of(scene.input, vertices);
-  BenchRow row{.name = name,
-               .scalar = kind.scalar,
-               .vertices = scene.rest.vertex_count(),
-               .constraints = scene.rest.vertex_count(),
-               .repetitions = options.repetitions};
-  if (!oracle)
-    return kind.scalar == "float" ? solved_by_factor<float>(row, matrix, options)
-                                  : solved_by_factor<double>(row, matrix, options);
-  one_blas_thread();
-  Cholmod factor;
-  factor.compute(matrix);
-  const Eigen::MatrixXd right = Eigen::MatrixXd::Ones(matrix.rows(), 3);
+void measure_scalar_solve(benchmark::State& state, const Cholmod& factor) {
+  const Eigen::MatrixXd right = Eigen::MatrixXd::Ones(factor.rows(), 3);
   Eigen::MatrixXd solution;
-  const Spread seconds = repeated(bench_id(name, kind.scalar), options.repetitions, least_s(options),
-                                  [&] { return cpu_seconds([&] { solution = factor.solve(right); }); });
-  row.ns = ns_per(static_cast<double>(row.vertices), seconds);
-  return row;
+  for ([[maybe_unused]] const auto _ : state)
+    state.SetIterationTime(cpu_seconds([&] { solution = factor.solve(right); }));
+}
+
+void measure_solve(benchmark::State& state, const std::string& id, const MethodCase& kind, bool oracle) {
+  const auto factor_of = [&]<class Factor>(std::type_identity<Factor>) -> const Factor& {
+    return staged(id, [&] {
+      std::vector<int> vertices;
+      return std::make_shared<Factor>(metric_of(build_scene(config_of(kind).scene()).input, vertices));
+    });
+  };
+  if (oracle)
+    measure_scalar_solve(state, factor_of(std::type_identity<Cholmod>{}));
+  else if (kind.scalar == "float")
+    measure_fast_solve(state, factor_of(std::type_identity<SparseFactor<float>>{}));
+  else
+    measure_fast_solve(state, factor_of(std::type_identity<SparseFactor<double>>{}));
+  const std::int64_t vertices = (kind.cells + 1) * (kind.cells + 1);
+  set_counters(state, vertices, vertices, static_cast<double>(vertices));
 }
 
 // ---- whole steps
 
-/// Least seconds of an iteration of quasi_newton: gradient, solve, and reading the history of vectors.
-double least_iteration_seconds(const MethodCase& kind, const MovedScene& moved) {
-  const std::size_t scalar = scalar_bytes(kind.scalar);
-  std::vector<int> vertices;
-  const std::size_t entries = SparseFactor<double>(metric_of(moved.scene.input, vertices)).entries();
-  constexpr double pairs = 10, passes = 4;  // passes over each pair: two products, two sums
-  const double streamed =
-      passes * pairs * 4 * static_cast<double>(moved.vertices()) * static_cast<double>(scalar);
-  const std::size_t all =
-      gradient_bytes(moved, scalar) + entries * scalar + static_cast<std::size_t>(streamed / 2);
-  return least_gradient_seconds(moved, scalar, all) + solve_roofline_seconds(entries, scalar) +
-         streamed / triad_bandwidth(all);
-}
-
-BenchRow measure_method(const std::string& name, const MethodCase& kind, const BenchOptions& options) {
-  BenchRow row{
-      .name = name, .scalar = kind.scalar, .threads = kind.threads, .repetitions = options.repetitions};
-  MovedScene moved(kind);
-  row.vertices = row.constraints = moved.vertices();
-  const auto simulation = simulation_of(moved.scene);
-  const auto step = [&] {
-    const StepSeconds seconds = timed_step(*simulation);
+void measure_method(benchmark::State& state, const std::string& id, const MethodCase& kind) {
+  const auto step_of = [&](Simulation& simulation) {
+    const StepSeconds seconds = timed_step(simulation);
     return kind.threads == 1 ? seconds.cpu : seconds.wall;
   };
-  for (int warm = 0; warm < method_warm_up; ++warm) step();  // the first step factorises
-  const Spread seconds =
-      repeated(bench_id(name, kind.scalar, kind.threads), options.repetitions, least_s(options), step);
-  row.ns = ns_per(kind.iterations * static_cast<double>(row.vertices), seconds);
-  row.more["step_ms"] = 1e3 * seconds.median;
-  row.more["iterations"] = kind.iterations;
-  if (kind.method == "quasi_newton" && name.starts_with("method/"))  // the bound is that of hinges
-    row.roofline_fraction =
-        kind.iterations * least_iteration_seconds(kind, moved) / kind.threads / seconds.median;
-  return row;
+  Simulation& simulation = staged(id, [&] {
+    std::shared_ptr<Simulation> made = simulation_of(MovedScene(kind).scene);
+    for (int warm = 0; warm < method_warm_up; ++warm) step_of(*made);  // the first step factorises
+    return made;
+  });
+  for ([[maybe_unused]] const auto _ : state) state.SetIterationTime(step_of(simulation));
+  const std::int64_t vertices = (kind.cells + 1) * (kind.cells + 1);
+  set_counters(state, vertices, vertices, static_cast<double>(kind.iterations * vertices));
 }
 
 }  // namespace
 
-std::vector<BenchCase> method_cases(const BenchOptions& options) {
+void register_method_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
-  std::vector<BenchCase> cases;
   const int usual = options.quick ? 32 : 128;
   const Sizes sizes = options.quick ? Sizes{32} : Sizes{32, 64, 128, 256, 512};
-  const auto add_method = [&](const MethodCase& kind) {
-    const std::string name = fmt::format("method/{}/{}", kind.method, kind.cells);
-    cases.push_back({.id = bench_id(name, kind.scalar, kind.threads),
-                     .run = [=] { return measure_method(name, kind, options); }});
+  const auto add_step = [&](const std::string& name, const MethodCase& kind) {
+    const std::string id = bench_id(name, kind.scalar, kind.threads);
+    add_benchmark(id, [=](benchmark::State& state) { measure_method(state, id, kind); })
+        ->UseManualTime()
+        ->MinTime(least_s(options));
   };
-  const auto add_part = [&](const char* part, auto measure, int cells, const char* scalar,
-                            const std::string& oracle) {
-    const std::string name = fmt::format("{}/{}", part, cells);
+  const auto add_method = [&](const MethodCase& kind) {
+    add_step(fmt::format("method/{}/{}", kind.method, kind.cells), kind);
+  };
+  const auto add_gradient = [&](int cells, const char* scalar, bool oracle) {
     const MethodCase kind{.method = "quasi_newton", .cells = cells, .iterations = 10, .scalar = scalar};
-    cases.push_back({.id = bench_id(name, scalar), .oracle = oracle, .run = [=] {
-                       return measure(name, kind, oracle.empty(), options);
-                     }});
+    const std::string id = bench_id(fmt::format("gradient{}/{}", oracle ? "_oracle" : "", cells), scalar);
+    add_benchmark(id, [=](benchmark::State& state) { measure_gradient(state, id, kind, oracle); })
+        ->UseManualTime()
+        ->MinTime(least_s(options));
+  };
+  const auto add_solve = [&](int cells, const char* scalar, bool oracle) {
+    const MethodCase kind{.method = "quasi_newton", .cells = cells, .iterations = 10, .scalar = scalar};
+    const std::string id = bench_id(fmt::format("solve{}/{}", oracle ? "_oracle" : "", cells), scalar);
+    add_benchmark(id, [=](benchmark::State& state) { measure_solve(state, id, kind, oracle); })
+        ->UseManualTime()
+        ->MinTime(least_s(options));
   };
   // The oracles are in double precision. One size is enough for the gradient oracle, whose cost per
   // constraint is the same on any cloth. The cost per vertex of the solve oracle depends on the size.
-  add_part("gradient_oracle", measure_gradient, usual, "double", "");
-  for (const int cells : sizes) add_part("solve_oracle", measure_solve, cells, "double", "");
+  add_gradient(usual, "double", true);
+  for (const int cells : sizes) add_solve(cells, "double", true);
   for (const char* scalar : {"float", "double"}) {
     for (const int cells : sizes) {
-      add_part("gradient", measure_gradient, cells, scalar,
-               bench_id(fmt::format("gradient_oracle/{}", usual), "double"));
-      add_part("solve", measure_solve, cells, scalar,
-               bench_id(fmt::format("solve_oracle/{}", cells), "double"));
+      add_gradient(cells, scalar, false);
+      add_solve(cells, scalar, false);
     }
     for (const char* method : {"pbd", "quasi_newton"}) {
       for (const int cells : sizes) add_method({method, cells, 10, scalar});
@@ -330,11 +272,8 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
                               .iterations = 10,
                               .scalar = "float",
                               .bending = fmt::format(R"("model": "{}", {})", model, law.settings)};
-        const std::string name = fmt::format("law/{}/{}/{}/{}", method, model, law.name, small);
-        cases.push_back(
-            {.id = bench_id(name, kind.scalar), .run = [=] { return measure_method(name, kind, options); }});
+        add_step(fmt::format("law/{}/{}/{}/{}", method, model, law.name, small), kind);
       }
-  return cases;
 }
 
 }  // namespace bendlab

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "experiments/bench/bench.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/campaign/campaign.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
@@ -47,34 +48,18 @@ double pass_seconds(const RunOutcome& outcome, std::string_view name) {
   throw std::runtime_error(fmt::format("a run has no pass '{}'", name));
 }
 
-/// The number of projections in all steps of a run, to compute a row's ns per constraint.
-struct Work {
-  std::int64_t vertices = 0, constraints = 0;
-  double projections = 0;
-};
-
-Work work_of(const RunConfig& config) {
-  const BuiltScene scene = build_scene(config.scene());
-  const auto constraints = static_cast<std::int64_t>(scene.input.strain.size() + scene.input.distance.size());
-  const double steps = config.scene().duration / scene.input.settings.dt;
-  return {scene.rest.vertex_count(), constraints,
-          static_cast<double>(constraints) * projections_per_substep(scene.input) * steps};
-}
-
-BenchRow row_of(const std::string& name, int threads, const Work& work, double runs, const Spread& seconds,
-                int repetitions) {
-  return {.name = name,
-          .scalar = "float",
-          .threads = threads,
-          .vertices = work.vertices,
-          .constraints = work.constraints,
-          .ns = ns_per(runs * work.projections, seconds),
-          .repetitions = repetitions};
+/// Counters of `runs` runs like `run`; the work is the number of projections in all steps.
+void set_run_counters(benchmark::State& state, const RunConfig& run, std::size_t runs) {
+  const BuiltScene scene = build_scene(run.scene());
+  const std::size_t constraints = scene.input.strain.size() + scene.input.distance.size();
+  const double steps = run.scene().duration / scene.input.settings.dt;
+  set_counters(state, scene.rest.vertex_count(), static_cast<std::int64_t>(constraints),
+               static_cast<double>(runs * constraints) * projections_per_substep(scene.input) * steps);
 }
 
 /// Compares a run that records 30 frames a second with a run that records only the first and the last frame.
 /// Wall time from the first step to the last frame in the file. The solver and the writer each have a thread.
-BenchRow measure_recording(const std::string& name, int cells, double duration_s, int repetitions) {
+void measure_recording(benchmark::State& state, int cells, double duration_s) {
   const Experiment recorded = experiment_of(cells, duration_s, 30),
                    plain = experiment_of(cells, duration_s, 1 / duration_s);
   const Scratch scratch;
@@ -87,26 +72,18 @@ BenchRow measure_recording(const std::string& name, int cells, double duration_s
   const auto stepping_s = [](const RunOutcome& outcome) {
     return outcome.wall_s - pass_seconds(outcome, "set_up");
   };
-  std::vector<double> ratios, writer_s;
-  const Spread seconds = repeated(bench_id(name, "float", 2), repetitions, 0, [&] {
+  for ([[maybe_unused]] const auto _ : state) {
     const double without = stepping_s(run(plain));
     const RunOutcome outcome = run(recorded);
-    ratios.push_back(stepping_s(outcome) / without);
-    writer_s.push_back(pass_seconds(outcome, "recording"));
-    return stepping_s(outcome);
-  });
-  BenchRow row = row_of(name, 2, work_of(recorded.runs.front()), 1, seconds, repetitions);
-  const Spread ratio = spread_of(ratios);
-  row.more = {{"wall_ratio", ratio.median},
-              {"wall_ratio_lowest", ratio.lowest},
-              {"wall_ratio_highest", ratio.highest},
-              {"wall_s", seconds.median},
-              {"writer_cpu_s", spread_of(writer_s).median}};
-  return row;
+    state.SetIterationTime(stepping_s(outcome));
+    state.counters["wall_ratio"] = stepping_s(outcome) / without;
+    state.counters["writer_cpu_s"] = pass_seconds(outcome, "recording");
+  }
+  set_run_counters(state, recorded.runs.front(), 1);
 }
 
 /// Eight runs that differ in their seed, with one job and with two.
-BenchRow measure_sweep(const std::string& name, int cells, double duration_s, int repetitions) {
+void measure_sweep(benchmark::State& state, int cells, double duration_s) {
   const std::vector<Experiment> experiments = {
       experiment_of(cells, duration_s, 1, R"({"/initial/seed": [1, 2, 3, 4, 5, 6, 7, 8]})")};
   const Scratch scratch;
@@ -118,33 +95,28 @@ BenchRow measure_sweep(const std::string& name, int cells, double duration_s, in
     if (campaign_exit_code(runs) != 0) throw std::runtime_error("a run of a benchmark's sweep failed");
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  std::vector<double> speed_ups;
-  const Spread seconds = repeated(bench_id(name, "float", 2), repetitions, 0, [&] {
+  for ([[maybe_unused]] const auto _ : state) {
     const double alone = wall_s(1), together = wall_s(2);
-    speed_ups.push_back(alone / together);
-    return together;
-  });
-  const auto runs = static_cast<double>(experiments.front().runs.size());
-  BenchRow row = row_of(name, 2, work_of(experiments.front().runs.front()), runs, seconds, repetitions);
-  const Spread speed_up = spread_of(speed_ups);
-  row.more = {{"speed_up", speed_up.median},
-              {"speed_up_lowest", speed_up.lowest},
-              {"speed_up_highest", speed_up.highest},
-              {"wall_s", seconds.median}};
-  return row;
+    state.SetIterationTime(together);
+    state.counters["speed_up"] = alone / together;
+  }
+  const std::vector<RunConfig>& runs = experiments.front().runs;
+  set_run_counters(state, runs.front(), runs.size());
 }
 
 }  // namespace
 
-std::vector<BenchCase> run_cases(const BenchOptions& options) {
-  const int repetitions = options.repetitions, cells = options.quick ? 16 : 128;
+void register_run_cases(const BenchOptions& options) {
+  const int cells = options.quick ? 16 : 128;
   const double duration_s = options.quick ? 0.2 : 4;
-  const std::string recording = fmt::format("recording/{}", cells),
-                    sweep = fmt::format("sweep/{}", cells / 2);
-  return {{.id = bench_id(recording, "float", 2),
-           .run = [=] { return measure_recording(recording, cells, duration_s, repetitions); }},
-          {.id = bench_id(sweep, "float", 2),
-           .run = [=] { return measure_sweep(sweep, cells / 2, 2 * duration_s, repetitions); }}};
+  add_benchmark(bench_id(fmt::format("recording/{}", cells), "float", 2),
+                [=](benchmark::State& state) { measure_recording(state, cells, duration_s); })
+      ->UseManualTime()
+      ->Iterations(1);
+  add_benchmark(bench_id(fmt::format("sweep/{}", cells / 2), "float", 2),
+                [=](benchmark::State& state) { measure_sweep(state, cells / 2, 2 * duration_s); })
+      ->UseManualTime()
+      ->Iterations(1);
 }
 
 }  // namespace bendlab

@@ -11,6 +11,7 @@
 
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/bench.hpp"
+#include "experiments/bench/cases.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
 
@@ -38,7 +39,8 @@ class SetUp {
  public:
   explicit SetUp(int cells)
       : scene_(build_scene(config_of(cells, "none").scene())),
-        model_(config_of(cells, "adaptive").scene().bending.model) {}
+        model_(config_of(cells, "adaptive").scene().bending.model),
+        peak_bytes_(measured_peak_bytes()) {}
 
   struct Times {
     double springs = 0, order = 0;  // s
@@ -55,9 +57,14 @@ class SetUp {
     return times;
   }
 
-  /// Growth of the peak resident memory, bytes. A child process measures this growth, because the parent's
-  /// freed memory or earlier peak would hide a part of the growth.
-  double peak_bytes() {
+  int vertices() const { return scene_.rest.vertex_count(); }
+  std::int64_t springs() const { return springs_; }
+  double peak_bytes() const { return peak_bytes_; }  ///< growth of the peak resident memory
+
+ private:
+  // A child process measures the growth, because the parent's freed memory or earlier peak would hide a part
+  // of the growth.
+  double measured_peak_bytes() {
     std::array<int, 2> channel{};
     if (pipe(channel.data()) != 0) throw std::runtime_error("cannot make a pipe for measuring memory");
     malloc_trim(0);
@@ -79,50 +86,35 @@ class SetUp {
     return growth;
   }
 
-  int vertices() const { return scene_.rest.vertex_count(); }
-  std::int64_t springs() const { return springs_; }
-
- private:
   BuiltScene scene_;
   BendingModel model_;
   std::int64_t springs_ = 0;
+  double peak_bytes_;
 };
 
-BenchRow measure(const std::string& name, int cells, int repetitions) {
-  SetUp set_up(cells);
-  const double bytes = set_up.peak_bytes();
-  std::vector<double> springs, order;
-  const Spread seconds = repeated(bench_id(name, "float"), repetitions, 0, [&] {
-    const SetUp::Times times = set_up.run();
-    springs.push_back(times.springs), order.push_back(times.order);
-    return times.springs + times.order;
-  });
-  const auto count = static_cast<double>(set_up.springs());
-  BenchRow row{.name = name,
-               .scalar = "float",
-               .vertices = set_up.vertices(),
-               .constraints = set_up.springs(),
-               .ns = ns_per(count, seconds),
-               .repetitions = repetitions};
-  row.more = {{"set_up_s", seconds.median},
-              {"rings_and_pairs_s", spread_of(springs).median},
-              {"colours_and_batches_s", spread_of(order).median},
-              {"springs_per_s", count / seconds.median},
-              {"peak_bytes_per_spring", bytes / count}};
-  return row;
+void measure(benchmark::State& state, const std::string& name, int cells) {
+  SetUp& set_up = staged(name, [&] { return std::make_shared<SetUp>(cells); });
+  SetUp::Times times;
+  for ([[maybe_unused]] const auto _ : state) {
+    times = set_up.run();
+    state.SetIterationTime(times.springs + times.order);
+  }
+  const auto springs = static_cast<double>(set_up.springs());
+  set_counters(state, set_up.vertices(), set_up.springs(), springs);
+  state.counters["rings_and_pairs_s"] = times.springs;
+  state.counters["colours_and_batches_s"] = times.order;
+  state.counters["peak_bytes_per_spring"] = set_up.peak_bytes() / springs;
 }
 
 }  // namespace
 
-std::vector<BenchCase> set_up_cases(const BenchOptions& options) {
-  std::vector<BenchCase> cases;
+void register_set_up_cases(const BenchOptions& options) {
   for (const int cells : options.quick ? std::vector{32} : std::vector{64, 128, 256}) {
     const std::string name = fmt::format("set_up/{}", cells);
-    cases.push_back({.id = bench_id(name, "float"), .run = [=, repetitions = options.repetitions] {
-                       return measure(name, cells, repetitions);
-                     }});
+    add_benchmark(bench_id(name, "float"), [=](benchmark::State& state) { measure(state, name, cells); })
+        ->UseManualTime()
+        ->Iterations(1);
   }
-  return cases;
 }
 
 }  // namespace bendlab

@@ -35,7 +35,7 @@ constexpr std::string_view footer =
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
-  bool json = false, list = false, explain = false, strict = false;
+  bool json = false, explain = false, strict = false;
   std::string run = "", folder = "results";
   std::filesystem::path mesh_file;
   ReproduceArguments reproduce;
@@ -493,20 +493,23 @@ void add_fabrics_command(CLI::App& app, Arguments& a) {
 
 void add_bench_command(CLI::App& app, Arguments& a) {
   CLI::App* bench = add_command(app, a, "bench", "Measure what the solver costs on this machine",
-                                [&a] { return bench_command(a.bench, a.list, a.json); });
+                                [&a] { return run_benchmarks(a.bench); });
   bench
       ->add_option("--filter", a.bench.filter,
-                   "Only benchmarks whose names match, and their oracles (the scalar code)")
+                   "Only benchmarks whose names match. The names of oracles (the scalar code) have '_oracle'")
       ->type_name("REGEX");
   bench->add_flag("--quick", a.bench.quick,
                   "Small meshes and short repetitions: takes seconds instead of minutes");
-  add_shown(bench, "--repetitions", a.bench.repetitions, "Number of repetitions; the median is reported")
-      ->check(CLI::Range(1, 1000));
+  add_shown(bench, "--repetitions", a.bench.repetitions,
+            "Number of repetitions, at least 2; median, lowest and highest value are reported")
+      ->check(CLI::Range(2, 1000));
   add_shown(bench, "--threads", a.bench.threads,
             "Numbers of threads for benchmarks of whole steps, besides one thread")
       ->check(CLI::Range(1, 256));
-  bench->add_flag("--list", a.list, "Only print the names of the benchmarks; measure nothing");
-  add_json(bench, a, "Print JSON: the context, and one object per row");
+  bench->add_flag("--list", a.bench.list, "Only print the names of the benchmarks; measure nothing");
+  bench->add_flag("--json", a.bench.json, "Print the JSON of Google Benchmark");
+  bench->add_option("FLAGS", a.bench.flags,
+                    "After --: further flags of Google Benchmark, such as --benchmark_out=FILE");
 }
 
 void add_documentation(CLI::App& app, Arguments& a, const char* name, const char* summary,

@@ -180,9 +180,6 @@ std::vector<std::pair<std::string, std::string>> dialect_options();
 /// Converts a number by which another engine states bending to a flexural rigidity on a mesh, or back.
 int dialect_command(const DialectArguments& arguments, bool json);
 
-/// Measures what the solver costs on this machine. `list`: only prints the names of the benchmarks.
-int bench_command(const BenchOptions& options, bool list, bool json);
-
 /// Prints the diagnosis and quality of the mesh that `policy` (one of bad_triangles_names) makes of a mesh
 /// file. If the policy refuses the file, prints what the other policies would do. If `write` is not empty,
 /// writes the accepted mesh to this file.

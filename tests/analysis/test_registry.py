@@ -18,6 +18,8 @@ MOST = 2
 ALLOWED = {
     "figures/paper/fig_5.py: crossover adaptive k_ring": "the rows of the paper's Fig. 5, and the control",
     "figures/paper/large_forces.py: crossover adaptive lod": "the columns of the picture: its springs",
+    "figures/performance/roofline.py: dihedral bridson mid_edge_average":
+        "flops counted in the formulas of kernels; other kinds have no share of the roofline",
     "runs/obstacles.py: plane sphere capsule": "shapes of known distance; other shapes by their surface",
     "figures/stability/pin.py: none crossover dihedral": "the columns of the picture",
     "runs/stability_reasons.py: crossover k_ring sparse_lod": "a cause that was measured for these models",

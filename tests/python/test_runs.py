@@ -52,6 +52,7 @@ class Stopping(bl.Measure):
             Stopping.interrupted.wait()
         return {"nothing": 0}
 
+
 def compute_sweep(out):
     """Computes the runs of CONFIG with a longer duration, two at a time."""
     table = bl.run({**CONFIG, "duration": 2.0}, out=out, jobs=2)

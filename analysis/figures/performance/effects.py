@@ -34,7 +34,7 @@ def main(bench, out, section):
         section.missing.append(f"effects: {', '.join(absent)}")
     rows = [shown(row) | {"kind": name, "size": f"{row['vertices']:,} vertices",
                           "step": row.get("share_of_step") and 100 * row["share_of_step"],
-                          "acted": row.get("acted_per_step"), "per_action": row.get("per_action_ns")}
+                          "acted": row.get("acted_per_step"), "per_action": per_action(row)}
             for name, sizes in effects.items() for row in sizes]
     effects_table = table("effects", "Effects", [
         ("kind", "effect"), "vertices", ("vertex", "time per vertex and step", "", "ns"), "range",
@@ -46,6 +46,11 @@ def main(bench, out, section):
         effects_table, title(effects), "kind", ["vertex"], ["size"], scale="band", y_scale="log", look="",
         limits=limits, note="One thread, single precision. An effect acts on a vertex, a triangle or a "
                             "contact. The table states the number of actions per step, and their time.")
+
+
+def per_action(row):
+    """Time per action of an effect in ns; None if it does not act."""
+    return 1e6 * row["call_ms"] / row["acted_per_step"] if row.get("acted_per_step") else None
 
 
 def title(effects):

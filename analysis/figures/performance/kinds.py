@@ -12,8 +12,8 @@ def sizes(timed, name, scalar):
 
 
 def command(timed):
-    """The command that times all kinds of constraints."""
-    return f"./bendlab bench --filter '^({'|'.join(kinds(timed) or STRAIN)})/'"
+    """The command that times all kinds of constraints and their oracles."""
+    return f"./bendlab bench --filter '^({'|'.join(kinds(timed) or STRAIN)})(_oracle)?/'"
 
 
 def rows_of(timed):

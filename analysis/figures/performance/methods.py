@@ -17,7 +17,7 @@ def main(bench, out, section):
     section.missing = lacking(timed, PARTS, both.get, ["float"]) + lacking(timed, both, both.get, ["double"])
     if not methods:
         section.missing.append("whole steps")
-    section.commands = [f"./bendlab bench --filter '^(method|{'|'.join(PARTS)})/'"]
+    section.commands = [f"./bendlab bench --filter '^(method|{'|'.join(PARTS | ORACLES)})/'"]
     rows = [shown(row) | {"kind": label, "method": label.split(",")[0],
                           "two": threads_gain(bench["rows"], row), "drawn": name not in ORACLES}
             for name, label in names.items() for scalar in PRECISION for row in timed.get((name, scalar), [])]

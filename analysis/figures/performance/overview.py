@@ -52,7 +52,7 @@ def answer(rows):
     if not step:
         return ""
     text = (f"One step with {iterations(rows)} iterations of a cloth with {step['vertices']:,} vertices and "
-            f"crossover springs takes {number(step['step_ms'], 2)} ms on one thread. Each vertex takes "
+            f"crossover springs takes {number(step['call_ms'], 2)} ms on one thread. Each vertex takes "
             f"{number(iterations(rows) * per_vertex(step))} ns")
     strain, crossover = (ns_of.get(label(name)) for name in ("strain", "crossover"))
     if strain and crossover:

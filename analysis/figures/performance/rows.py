@@ -1,4 +1,4 @@
-"""The rows (measurements) of `bendlab bench --json`, and their form in tables and charts."""
+"""The rows of the benchmark (measured.py), and their form in tables and charts."""
 from collections import Counter
 
 from bendlab.results import registry
@@ -33,7 +33,7 @@ def first(rows, kind_name, **values):
 
 def series(rows):
     """(kind, "float" or "double") → timed rows on one thread, sorted by number of vertices."""
-    timed = [row for row in rows if row["threads"] == 1 and row["ns_per_constraint"] is not None]
+    timed = [row for row in rows if row["threads"] == 1]
     return {key: sorted(same_kind, key=lambda row: row["vertices"])
             for key, same_kind in group(timed, lambda row: (kind(row), row["scalar"])).items()}
 
@@ -88,7 +88,7 @@ def whole_step(rows, scalar="float"):
 def iterations(rows):
     """Number of iterations in a step, computed from the times of a step; None if no step was timed."""
     step = first(rows, "step")
-    return step and round(1e6 * step["step_ms"] / (step["ns_per_constraint"] * step["constraints"]))
+    return step and round(1e6 * step["call_ms"] / (step["ns_per_constraint"] * step["constraints"]))
 
 
 def lacking(table, names, label_of=label, scalars=PRECISION):

@@ -27,10 +27,10 @@ def main(bench, out, section):
 def shown(row, gained):
     """A row of a step as a row of the page's table."""
     return {"precision": PRECISION[row["scalar"]], "threads": row["threads"], "vertices": row["vertices"],
-            "ms": row["step_ms"], "gain": gained,
+            "ms": row["call_ms"], "gain": gained,
             "name": f"{row['threads']} thread{'s' if row['threads'] > 1 else ''}",
-            "ms_low": row["step_ms"] * row["ns_lowest"] / row["ns_per_constraint"],
-            "ms_high": row["step_ms"] * row["ns_highest"] / row["ns_per_constraint"]}
+            "ms_low": row["call_ms"] * row["ns_lowest"] / row["ns_per_constraint"],
+            "ms_high": row["call_ms"] * row["ns_highest"] / row["ns_per_constraint"]}
 
 
 def by_precision(rows):
@@ -41,8 +41,8 @@ def by_precision(rows):
 
 def gain(steps, row):
     """Time of a step on one thread over the time in this row; NaN if one thread was not timed."""
-    alone = next((other["step_ms"] for other in steps if other["threads"] == 1), float("nan"))
-    return alone / row["step_ms"]
+    alone = next((other["call_ms"] for other in steps if other["threads"] == 1), float("nan"))
+    return alone / row["call_ms"]
 
 
 def beside_text(rows):

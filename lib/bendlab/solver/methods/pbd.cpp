@@ -28,7 +28,7 @@
 //   threads project colour after colour; the result has the same bits.
 //
 // Colours slow down convergence: a correction reaches the neighbours only with the next colour, but in list
-// order at once. `bendlab bench` measures this. `order: mesh` projects in list order, by scalar code
+// order at once. The page about accuracy compares them. `order: mesh` projects in list order, by scalar code
 // (oracle.hpp).
 #include <fmt/format.h>
 
