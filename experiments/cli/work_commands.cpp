@@ -17,8 +17,8 @@
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/campaign/work.hpp"
 #include "experiments/cli/child_program.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/run_id.hpp"
@@ -55,8 +55,33 @@ std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::siz
   return std::min(tasks, expected_s.size());
 }
 
+struct SubmitCommand : Command {
+  ConfigArguments configs{*this};
+  fs::path out = "results";
+  int tasks = 0;                    // of the job array; 0: each is expected to last at least a minute
+  int cpus = 1;                     // of a task
+  std::string time;                 // in sbatch's notation; empty: the cluster's default
+  std::vector<std::string> sbatch;  // further options for sbatch
+  bool dry_run = false;
+
+  SubmitCommand() {
+    add(out, "--out", "Folder for the results, on a disk that all machines share");
+    add(tasks, "--tasks",
+        "Number of tasks of the job array (default: so many that each task is expected to last at least "
+        "a minute, but at most 1000)",
+        {1, 100000});
+    add(cpus, "--cpus", "Cores per task, and number of runs that a task computes at a time", {1, 1024});
+    add(time, "--time TIME",
+        "Time limit of a task, in the notation of sbatch; a task that reaches the limit is queued again "
+        "and continues");
+    add(sbatch, "--sbatch OPTION...", "Further option for sbatch, such as --sbatch=--mem=4G. Repeatable");
+    add(dry_run, "--dry-run", "Only print the batch file; write and submit nothing");
+  }
+  int run() override;
+};
+
 std::string batch_file(const fs::path& plan, const std::string& name, std::size_t tasks,
-                       const SubmitArguments& arguments) {
+                       const SubmitCommand& arguments) {
   constexpr int notice_s = 60;  // s before the time limit: enough to write a checkpoint
   std::string head =
       fmt::format("#!/bin/bash\n#SBATCH --job-name=bendlab-{}\n#SBATCH --array=0-{}\n#SBATCH --ntasks=1\n",
@@ -105,11 +130,31 @@ std::string submit(const fs::path& batch) {
   return output;
 }
 
-}  // namespace
+void add_plan(Command& command, fs::path& plan) {
+  command.add(plan, "PLAN", "File that 'submit' or 'plan --write' wrote");
+}
 
-int work_command(const WorkArguments& arguments, CampaignOptions options, bool json) {
-  options.shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
-  const Plan plan = load_plan(arguments.plan);
+struct WorkCommand : Command {
+  fs::path file;
+  std::string shard;  // "i/n"; empty: 0/1
+  CampaignOptions campaign;
+
+  WorkCommand() {
+    add_plan(*this, file);
+    add(shard, "--shard i/n",
+        "Begin with the runs of part i of n, 0 ≤ i < n; then compute the other runs that no process has "
+        "begun (default: 0/1)");
+    add_jobs(*this, campaign);
+    add_checkpoint(*this, campaign);
+    add(json, "--json", "Print one JSON object per run that was computed here");
+  }
+  int run() override;
+};
+
+int WorkCommand::run() {
+  CampaignOptions options = campaign;
+  options.shard = shard.empty() ? Shard{} : shard_of(shard);
+  const Plan plan = load_plan(file);
   options.out = plan.out;
   write(sweep_files(plan.out, plan.experiments));
   catch_stop_signals();
@@ -134,7 +179,17 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
   return campaign_exit_code(runs);
 }
 
-int status_command(const fs::path& file, bool json) {
+struct StatusCommand : Command {
+  fs::path file;
+
+  StatusCommand() {
+    add_plan(*this, file);
+    add(json, "--json", "Print one JSON object per run");
+  }
+  int run() override;
+};
+
+int StatusCommand::run() {
   const PlanOverview plan = read_plan(file);
   std::set<fs::path> parents;
   for (const PlannedRun& run : plan.runs) parents.insert(run.folder.parent_path());
@@ -182,24 +237,23 @@ int status_command(const fs::path& file, bool json) {
   return exit_ok;
 }
 
-int submit_command(const ConfigArguments& configs, const fs::path& out, const SubmitArguments& arguments) {
-  const std::vector<Experiment> experiments = load_experiments(configs);
+int SubmitCommand::run() {
+  const std::vector<Experiment> experiments = configs.experiments();
   std::vector<double> expected_s;
   std::string ids;  // the plan's name depends on its runs
   for (const CampaignRun& run : plan_campaign(experiments)) {
     expected_s.push_back(expected_cpu_s(*run.config));
     ids += run_id(*run.config);
   }
-  const std::size_t tasks =
-      arguments.tasks > 0
-          ? std::min<std::size_t>(static_cast<std::size_t>(arguments.tasks), expected_s.size())
-          : task_count(expected_s, arguments.cpus, 1000);
+  const std::size_t count = tasks > 0
+                                ? std::min<std::size_t>(static_cast<std::size_t>(tasks), expected_s.size())
+                                : task_count(expected_s, cpus, 1000);
   const std::string name = experiments.front().name;
   const fs::path plan =
       fs::absolute(out / "plans" / fmt::format("{}-{}.plan.json", name, hex_hash(ids).substr(0, 8)))
           .lexically_normal();
-  const std::string text = batch_file(plan, name, tasks, arguments);
-  if (arguments.dry_run) {
+  const std::string text = batch_file(plan, name, count, *this);
+  if (dry_run) {
     print_text("{}", text);
     return exit_ok;
   }
@@ -209,8 +263,21 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
   replace_file(batch, text);
   const std::string job = submit(batch);
   print_text("job {}: {} in {}; 'bendlab status {}' shows the progress\n", job,
-             counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
+             counted(expected_s.size(), "run"), counted(count, "task"), plan.string());
   return exit_ok;
 }
+
+}  // namespace
+
+extern const CommandKind work_command{
+    "work", "Compute the runs of a plan, together with other processes and machines",
+    "bendlab work results/plans/first-0a1b2c3d.plan.json --shard 0/8", make<WorkCommand>};
+extern const CommandKind status_command{"status", "Show the progress of the runs of a plan, from any machine",
+                                        "bendlab status results/plans/first-0a1b2c3d.plan.json",
+                                        make<StatusCommand>};
+extern const CommandKind submit_command{
+    "submit", "Write a plan, and submit it to Slurm as a job array of workers",
+    "bendlab submit configs/plain/first.json --time 30:00 --sbatch=--partition=short --dry-run",
+    make<SubmitCommand>};
 
 }  // namespace bendlab
