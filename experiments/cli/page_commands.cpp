@@ -109,14 +109,8 @@ fs::path default_page(const std::vector<fs::path>& results) {
     return fs::is_directory(whole) ? whole : whole.parent_path();
   };
   fs::path common = home(results.front());
-  for (const fs::path& result : results) {
-    const fs::path other = home(result);
-    fs::path shared;
-    for (auto a = common.begin(), b = other.begin(); a != common.end() && b != other.end() && *a == *b;
-         ++a, ++b)
-      shared /= *a;
-    common = shared;
-  }
+  for (const fs::path& result : results)
+    while (home(result).lexically_relative(common).string().starts_with("..")) common = common.parent_path();
   const fs::path page = common / "report.html", near = page.lexically_proximate(fs::current_path());
   return near.string().starts_with("..") ? page : near;
 }

@@ -146,15 +146,10 @@ struct ListCommand : Command {
         const auto found = record.summary.find(name);
         return found == record.summary.end() ? std::string() : format_number(found->second);
       };
-      std::vector<std::string> row = {record.id,
-                                      record.name,
-                                      to_string(record.status),
-                                      fmt::format("{}", record.frames),
-                                      when(record.file),
-                                      number("vertices"),
-                                      number("mean_strain"),
-                                      number("pin_max_stretch"),
-                                      fmt::format("{:.1f}", record.wall_s)};
+      std::vector<std::string> row = {record.id, record.name, to_string(record.status)};
+      row.insert(row.end(),
+                 {fmt::format("{}", record.frames), when(record.file), number("vertices"),
+                  number("mean_strain"), number("pin_max_stretch"), fmt::format("{:.1f}", record.wall_s)});
       if (own_column) {
         const Json config = Json::parse(record.config);
         const Json* const value = sort.starts_with('/') ? value_at(config, sort) : nullptr;
