@@ -5,8 +5,8 @@
 
 namespace bendlab {
 
-Option::Option(std::string_view usage, OptionVariable variable_, std::string meaning_, const Range& range_)
-    : variable(variable_), meaning(std::move(meaning_)), range(range_) {
+Option::Option(std::string_view usage, OptionVariable target, std::string help, const Range& allowed)
+    : variable(target), meaning(std::move(help)), range(allowed) {
   const std::size_t space = std::min(usage.find(' '), usage.size());
   name = usage.substr(0, space);
   type = usage.substr(std::min(space + 1, usage.size()));
