@@ -1,3 +1,4 @@
+// `bendlab advise`: finds the model, method, substeps, iterations and precision for a scene.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <unistd.h>
@@ -10,7 +11,7 @@
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
 #include "experiments/advise/advice.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -27,7 +28,38 @@ double read_option(const char* option, const std::string& text, Parse parse) try
   throw UsageError(fmt::format("{}: {}", option, error.what()));
 }
 
-Demand demand_of(const AdviseArguments& arguments) {
+struct AdviseCommand : Command {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  // "/json/pointer=value"
+  std::string error, budget;           // "5%" or "2ms"; exactly one of the two is given
+  std::string what = "auto", time_limit = "120s";
+  std::vector<std::string> models, methods;  // empty: all that advise can try
+  std::filesystem::path write;               // for the advised config; empty: no file
+  CampaignOptions campaign;
+
+  AdviseCommand() {
+    add(file, "CONFIG", "Config of the scene (JSON), which states the cloth's bending stiffness");
+    add(error, "--error 5%", "Find the fastest settings with at most this error, in sizes of the mesh");
+    add(budget, "--budget 2ms",
+        "Find the most accurate settings with at most this CPU time per frame of 1/60 s");
+    add_set(*this, overrides);
+    add(what, "--what auto|rest|motion",
+        "Which error counts. rest: error of the pose at rest; motion: error of the motion; auto: rest "
+        "for a pinned cloth with only loads and damping, motion for other scenes");
+    add(models, "--models NAME,...", "Try only these models, separated by commas");
+    add(methods, "--methods NAME,...", "Try only these solver methods, separated by commas");
+    add(time_limit, "--time-limit",
+        "Time limit of the whole search, including the reference: 90s or 5min. Settings that were not "
+        "tried in this time are listed");
+    add(write, "--write FILE", "Write the config with the advised settings to this file");
+    add(campaign.out, "--out", "Folder for the results; the runs go to its subfolder advise");
+    add_jobs(*this, campaign);
+    add(json, "--json", "Print one JSON object");
+  }
+  int run() override;
+};
+
+Demand demand_of(const AdviseCommand& arguments) {
   if (arguments.error.empty() == arguments.budget.empty())
     throw UsageError(
         "advise needs either --error 5% (to find the fastest settings with at most that error) or --budget "
@@ -294,21 +326,18 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
   if (why) throw UsageError(fmt::format("--write {}: {}", file.string(), why));
 }
 
-}  // namespace
-
-int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json) {
-  const AdviceOptions options{
-      .demand = demand_of(arguments),
-      .error_of = arguments.what == "rest"     ? std::optional(ErrorOf::rest)
-                  : arguments.what == "motion" ? std::optional(ErrorOf::motion)
-                                               : std::nullopt,
-      .models = arguments.models,
-      .methods = arguments.methods,
-      .time_limit_s = read_option("--time-limit", arguments.time_limit, parse_duration),
-      .campaign = campaign};
+int AdviseCommand::run() {
+  const AdviceOptions options{.demand = demand_of(*this),
+                              .error_of = what == "rest"     ? std::optional(ErrorOf::rest)
+                                          : what == "motion" ? std::optional(ErrorOf::motion)
+                                                             : std::nullopt,
+                              .models = models,
+                              .methods = methods,
+                              .time_limit_s = read_option("--time-limit", time_limit, parse_duration),
+                              .campaign = campaign};
   check_names(options);
-  if (!arguments.write.empty()) check_can_write(arguments.write, arguments.file);
-  const Question question(arguments.file, arguments.overrides);
+  if (!write.empty()) check_can_write(write, file);
+  const Question question(file, overrides);
   catch_stop_signals();
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const Advice advice = advise(question, options, [&](const std::string& news) {
@@ -324,13 +353,18 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     print_text("{}\n", json_text(to_json(answer)));
   else
     print_answer(answer);
-  if (!advice.is_met && !arguments.write.empty())
-    print_text(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
+  if (!advice.is_met && !write.empty())
+    print_text(stderr, "bendlab: {} is not written, because no setting {}\n", write.string(),
                advice.anything_fit() ? "meets the demand" : "is fit to be used");
-  if (advice.is_met && !arguments.write.empty())
-    replace_file(arguments.write,
-                 question.written(advice.choice->setting, arguments.write.parent_path()).dump(2) + '\n');
+  if (advice.is_met && !write.empty())
+    replace_file(write, question.written(advice.choice->setting, write.parent_path()).dump(2) + '\n');
   return advice.is_met ? exit_ok : exit_failed;
 }
+
+}  // namespace
+
+extern const CommandKind advise_command{
+    "advise", "Find the model, method, substeps, iterations and precision for a scene",
+    "bendlab advise configs/advise/strip.json --error 5%", make<AdviseCommand>};
 
 }  // namespace bendlab

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "experiments/cli/arguments.hpp"
+#include "experiments/cli/command.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"

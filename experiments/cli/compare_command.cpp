@@ -1,3 +1,4 @@
+// `bendlab compare`: what differs between two runs, or between two sweeps point by point.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +10,6 @@
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/compare.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/run_record.hpp"
@@ -119,8 +119,21 @@ bool has_many_runs(const std::string& argument) {
   return !fs::exists(fs::path(argument) / "run.vtkhdf") && unfinished_files(argument).empty();
 }
 
+struct CompareCommand : Command {
+  std::string one, other, folder = "results";
+
+  CompareCommand() {
+    add(one, "ONE",
+        "A run file, the folder of a run file, the beginning of a run's id, or the folder of a sweep");
+    add(other, "OTHER", "The run or sweep to compare with, named in the same way");
+    add_results(*this, folder);
+    add(json, "--json", "Print one JSON object per pair of runs");
+  }
+  int run() override;
+};
+
 // Compares two sweeps point by point, in the most important metrics.
-int compare_sweeps(const CompareArguments& arguments, bool json) {
+int compare_sweeps(const CompareCommand& arguments) {
   RunsByPoint ones(arguments.one), others(arguments.other);
   if (ones.experiments.size() == 1 && others.experiments.size() == 1)
     ones.forget_experiment(), others.forget_experiment();
@@ -136,7 +149,7 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
     ++in_both;
     const RunRecord& other = found->second;
     const RunDifference pair = difference(one, other);
-    if (json) print_text("{}\n", json_text(to_json(one, other, pair)));
+    if (arguments.json) print_text("{}\n", json_text(to_json(one, other, pair)));
     std::vector<std::string> row = {place.first.empty() ? place.second
                                                         : fmt::format("{} {}", place.first, place.second)};
     for (const std::string& name : names) {
@@ -156,7 +169,7 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
   if (in_both == 0)
     throw UsageError(
         fmt::format("'{}' and '{}' have no point of a sweep in common", arguments.one, arguments.other));
-  if (!json)
+  if (!arguments.json)
     print_text("{}{} in both, {} only in ONE, {} only in OTHER\n", table.text(), counted(in_both, "point"),
                ones.runs.size() - in_both, others.runs.size() - in_both);
   for (const auto& [folder, runs] : {std::pair(&arguments.one, &ones), std::pair(&arguments.other, &others)})
@@ -169,18 +182,21 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
   return exit_ok;
 }
 
-}  // namespace
-
-int compare_command(const CompareArguments& arguments, bool json) {
-  if (has_many_runs(arguments.one) && has_many_runs(arguments.other)) return compare_sweeps(arguments, json);
-  const RunRecord one = find_run(arguments.one, arguments.folder),
-                  other = find_run(arguments.other, arguments.folder);
-  const RunDifference found = difference(one, other);
+int CompareCommand::run() {
+  if (has_many_runs(one) && has_many_runs(other)) return compare_sweeps(*this);
+  const RunRecord first = find_run(one, folder), second = find_run(other, folder);
+  const RunDifference found = difference(first, second);
   if (json)
-    print_text("{}\n", json_text(to_json(one, other, found)));
+    print_text("{}\n", json_text(to_json(first, second, found)));
   else
-    print_pair(one, other, found);
+    print_pair(first, second, found);
   return exit_ok;
 }
+
+}  // namespace
+
+extern const CommandKind compare_command{"compare", "Show what differs between two runs, or two sweeps",
+                                         "bendlab compare results/first results/second",
+                                         make<CompareCommand>};
 
 }  // namespace bendlab

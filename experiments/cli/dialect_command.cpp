@@ -10,7 +10,7 @@
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
 #include "bendlab/scene/pointers.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/dialects/dialect.hpp"
 #include "experiments/run/errors.hpp"
@@ -86,9 +86,46 @@ std::string options_of(const Dialect& dialect) {
   return text;
 }
 
+std::string with_unit(std::string_view text, std::string_view unit, const char* between = " ") {
+  return unit == "1" ? std::string(text) : fmt::format("{}{}{}", text, between, unit);
+}
+
+struct DialectCommand : Command {
+  std::string name;                                      // empty: list all dialects
+  fs::path file;                                         // mesh, or config (.json); empty: a grid
+  std::vector<std::string> overrides;                    // of the config
+  std::map<std::string, std::optional<double>> numbers;  // of the dialects, by their names
+  std::optional<double> rigidity;                        // N m, to be converted to the engine's number
+
+  DialectCommand() {
+    add(name, "[NAME]", "Dialect: a formula of an engine (default: list all dialects)");
+    add(file, "[FILE]", "Mesh (.obj, .ply, .off or .stl), or config with a mesh (.json) (default: a grid)");
+    add(rigidity, "--rigidity", "B in N m: print the engine's number that has this rigidity");
+    std::map<std::string, std::map<std::string, std::string>> dialects_of;  // by number and meaning
+    for (const Dialect* dialect : dialects()) {
+      const auto collect = [&](const DialectSetting& number) {
+        std::string& names =
+            dialects_of[std::string(number.name)][with_unit(number.meaning, number.unit, ", in ")];
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", dialect->name);
+      };
+      collect(dialect->setting);
+      std::ranges::for_each(dialect->arguments, collect);
+    }
+    for (const auto& [number, meanings] : dialects_of) {
+      std::string text;
+      for (const auto& [meaning, names] : meanings)
+        text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", names, meaning);
+      add(numbers[number], "--" + number, text);
+    }
+    add_set(*this, overrides);
+    add(json, "--json", "Print one JSON object");
+  }
+  int run() override;
+};
+
 // The numbers that are given, without the dialect's own setting. Throws UsageError for an option that the
 // dialect does not have, and unless either the setting or a rigidity is given.
-DialectNumbers given_arguments(const Dialect& dialect, const DialectArguments& given) {
+DialectNumbers given_arguments(const Dialect& dialect, const DialectCommand& given) {
   DialectNumbers arguments;
   bool has_setting = false;
   for (const auto& [name, value] : given.numbers) {
@@ -118,7 +155,7 @@ struct Conversion {
   DirectionalMean rigidity;
 };
 
-Conversion convert(const Dialect& dialect, const DialectMesh& mesh, const DialectArguments& given) {
+Conversion convert(const Dialect& dialect, const DialectMesh& mesh, const DialectCommand& given) {
   DialectNumbers arguments = given_arguments(dialect, given);
   if (mesh.density &&
       std::ranges::find(dialect.arguments, "density", &DialectSetting::name) != dialect.arguments.end())
@@ -142,18 +179,17 @@ Conversion convert(const Dialect& dialect, const DialectMesh& mesh, const Dialec
 std::string arguments_text(const Conversion& conversion) {
   std::string text;
   for (const DialectSetting& argument : conversion.dialect.arguments)
-    text += fmt::format("{}{} {:.6g}{}{}{}", text.empty() ? "" : "; ", argument.name,
-                        conversion.arguments.at(std::string(argument.name)), argument.unit == "1" ? "" : " ",
-                        argument.unit == "1" ? "" : argument.unit,
-                        conversion.given.contains(argument.name) ? "" : " (the engine's default)");
+    text += fmt::format(
+        "{}{} {}{}", text.empty() ? "" : "; ", argument.name,
+        with_unit(fmt::format("{:.6g}", conversion.arguments.at(std::string(argument.name))), argument.unit),
+        conversion.given.contains(argument.name) ? "" : " (the engine's default)");
   return text;
 }
 
 void print_conversion(const Conversion& conversion) {
   const auto& [dialect, mesh, to_rigidity, value, arguments, given, rigidity] = conversion;
   const std::string number =
-      fmt::format("{} = {:.6g}{}{}", dialect.setting.name, value, dialect.setting.unit == "1" ? "" : " ",
-                  dialect.setting.unit == "1" ? "" : dialect.setting.unit);
+      with_unit(fmt::format("{} = {:.6g}", dialect.setting.name, value), dialect.setting.unit);
   const std::string b = fmt::format("B = {:.6g} N m", rigidity.mean);
   print_text("{}: {} means {} on this mesh\n\n", dialect.name, to_rigidity ? number : b,
              to_rigidity ? b : number);
@@ -217,55 +253,29 @@ void print_list(bool json) {
     print_text("{}", table.text());
 }
 
-}  // namespace
-
-std::vector<std::pair<std::string, std::string>> dialect_options() {
-  struct Meaning {
-    std::string dialects, text;
-  };
-  std::vector<std::pair<std::string, std::vector<Meaning>>> options;
-  const auto add = [&](const DialectSetting& setting, std::string_view dialect) {
-    const std::string text =
-        fmt::format("{}{}", setting.meaning, setting.unit == "1" ? "" : fmt::format(", in {}", setting.unit));
-    auto option = std::ranges::find(options, setting.name, [](const auto& known) { return known.first; });
-    if (option == options.end())
-      option = options.insert(options.end(), {std::string(setting.name), std::vector<Meaning>{}});
-    const auto same = std::ranges::find(option->second, text, &Meaning::text);
-    if (same == option->second.end())
-      option->second.push_back({std::string(dialect), text});
-    else
-      same->dialects += fmt::format(", {}", dialect);
-  };
-  for (const Dialect* dialect : dialects()) {
-    add(dialect->setting, dialect->name);
-    for (const DialectSetting& argument : dialect->arguments) add(argument, dialect->name);
-  }
-  std::vector<std::pair<std::string, std::string>> texts;
-  for (const auto& [name, meanings] : options) {
-    std::string& text = texts.emplace_back(name, "").second;
-    for (const Meaning& meaning : meanings)
-      text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", meaning.dialects, meaning.text);
-  }
-  return texts;
-}
-
-int dialect_command(const DialectArguments& arguments, bool json) {
-  if (arguments.name.empty()) {
+int DialectCommand::run() {
+  if (name.empty()) {
     const auto is_given = [](const auto& number) { return number.second.has_value(); };
-    if (arguments.rigidity || std::ranges::any_of(arguments.numbers, is_given))
+    if (rigidity || std::ranges::any_of(numbers, is_given))
       throw UsageError("name a dialect before its numbers; 'bendlab dialect' lists all dialects");
     print_list(json);
     return exit_ok;
   }
-  const Dialect& dialect = dialect_named(arguments.name);
-  given_arguments(dialect, arguments);  // before a mesh is read
-  const DialectMesh mesh = mesh_for(arguments.file, arguments.overrides);
-  const Conversion conversion = convert(dialect, mesh, arguments);
+  const Dialect& dialect = dialect_named(name);
+  given_arguments(dialect, *this);  // before a mesh is read
+  const DialectMesh mesh = mesh_for(file, overrides);
+  const Conversion conversion = convert(dialect, mesh, *this);
   if (json)
     print_text("{}\n", json_text(to_json(conversion)));
   else
     print_conversion(conversion);
   return exit_ok;
 }
+
+}  // namespace
+
+extern const CommandKind dialect_command{
+    "dialect", "Convert a bending number of another engine to a flexural rigidity B, or back",
+    "bendlab dialect newton --edge-ke 10 garment.obj", make<DialectCommand>};
 
 }  // namespace bendlab

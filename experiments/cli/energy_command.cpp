@@ -8,7 +8,7 @@
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/start_after.hpp"
 #include "experiments/campaign/run_labels.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
@@ -66,39 +66,50 @@ Json json_of(const Experiment& experiment, const RunConfig& config, const std::v
   return entry;
 }
 
+struct EnergyCommand : Command {
+  ConfigArguments configs{*this};
+
+  EnergyCommand() { add(json, "--json", "Print one JSON object per run"); }
+
+  int run() override {
+    for (const Experiment& experiment : configs.experiments()) {
+      std::vector<std::string> headings = axis_headings(experiment);
+      headings.insert(headings.end(),
+                      {"part", "energy (J)", "energy / B", "sum of forces (N)", "largest (N)"});
+      Table table(std::move(headings));
+      std::set<std::string> omitted;
+      for (const RunConfig& config : experiment.runs) {
+        const std::vector<EnergyPart> parts = parts_of(config);
+        for (std::string& pointer : left_out(config.scene())) omitted.insert(std::move(pointer));
+        if (json) {
+          print_text("{}\n", json_text(json_of(experiment, config, parts)));
+          continue;
+        }
+        for (const EnergyPart& part : parts) {
+          const Forces forces = forces_of(part.forces);
+          const std::optional<double> rigidity = rigidity_of(config.scene());
+          std::vector<std::string> cells = axis_cells(experiment, config);
+          cells.insert(cells.end(),
+                       {part.name, format_number(part.energy),
+                        part.name == "strain" || !rigidity ? "" : format_number(part.energy / *rigidity),
+                        fmt::format("{:.2g}", forces.sum.norm()), format_number(forces.largest)});
+          table.add_row(std::move(cells));
+        }
+      }
+      if (!json)
+        print_text("{}: elastic energies and forces of the pose at the start\n\n{}\n", experiment.name,
+                   table.text());
+      if (!json && !omitted.empty())
+        print_text("The energies and forces leave out {}.\n\n", fmt::join(omitted, ", "));
+    }
+    return exit_ok;
+  }
+};
+
 }  // namespace
 
-int energy_command(const ConfigArguments& configs, bool json) {
-  for (const Experiment& experiment : load_experiments(configs)) {
-    std::vector<std::string> headings = axis_headings(experiment);
-    headings.insert(headings.end(), {"part", "energy (J)", "energy / B", "sum of forces (N)", "largest (N)"});
-    Table table(std::move(headings));
-    std::set<std::string> omitted;
-    for (const RunConfig& config : experiment.runs) {
-      const std::vector<EnergyPart> parts = parts_of(config);
-      for (std::string& pointer : left_out(config.scene())) omitted.insert(std::move(pointer));
-      if (json) {
-        print_text("{}\n", json_text(json_of(experiment, config, parts)));
-        continue;
-      }
-      for (const EnergyPart& part : parts) {
-        const Forces forces = forces_of(part.forces);
-        const std::optional<double> rigidity = rigidity_of(config.scene());
-        std::vector<std::string> cells = axis_cells(experiment, config);
-        cells.insert(cells.end(),
-                     {part.name, format_number(part.energy),
-                      part.name == "strain" || !rigidity ? "" : format_number(part.energy / *rigidity),
-                      fmt::format("{:.2g}", forces.sum.norm()), format_number(forces.largest)});
-        table.add_row(std::move(cells));
-      }
-    }
-    if (!json)
-      print_text("{}: elastic energies and forces of the pose at the start\n\n{}\n", experiment.name,
-                 table.text());
-    if (!json && !omitted.empty())
-      print_text("The energies and forces leave out {}.\n\n", fmt::join(omitted, ", "));
-  }
-  return exit_ok;
-}
+extern const CommandKind energy_command{
+    "energy", "Print the elastic energies and forces of the pose at the start of every run",
+    "bendlab energy configs/verification/half_cylinder.json", make<EnergyCommand>};
 
 }  // namespace bendlab

@@ -5,7 +5,6 @@
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/settings/names.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/export/format.hpp"
 #include "experiments/run/errors.hpp"
@@ -38,33 +37,61 @@ void print_exported(const RunRecord& run, const Exported& exported) {
              exported.frames.back().number);
 }
 
+struct ExportCommand : Command {
+  RunArgument asked{*this};
+  std::string format, up;
+  ExportOptions wanted;
+
+  ExportCommand() {
+    std::vector<std::string_view> names;
+    more = "Formats:\n";
+    for (const Format* known : formats()) {
+      names.push_back(known->name);
+      more += fmt::format("  {:<5} {}\n", known->name, known->summary);
+    }
+    more +=
+        "Every format except csv also has the obstacles. In Houdini, Maya and the defaults of Blender's\nOBJ "
+        "importer the y axis is up: give --up y, or choose forward axis Y and up axis Z in Blender.\n";
+    add(format, fmt::format("--format! {}", fmt::join(names, "|")), "Format of the files, see below");
+    add(wanted.to, "--to PATH",
+        "Folder to write into, or the file for a format that needs only one file (default: "
+        "export/FORMAT beside the run file)");
+    add(wanted.frames, "--frames FIRST:LAST:STEP",
+        "Which frames to write, such as 10:20, ::5 or -1; the first frame is 0, the last is -1 "
+        "(default: all)");
+    add(up, fmt::format("--up {}", fmt::join(up_axis_names, "|")),
+        "Turn the run so that this axis points up (default: do not turn the run; the file states y or z "
+        "as up, by the direction of gravity)");
+    add(wanted.force, "--force", "Replace the files of an earlier export");
+    add(json, "--json", "Print one JSON object");
+  }
+
+  int run() override {
+    const Format& chosen = *find_format(format);
+    const RunRecord record = asked.found();
+    ExportOptions options = wanted;
+    options.stop = &stop_flag();
+    if (!up.empty()) options.up = named<UpAxis>(up, up_axis_names);
+    catch_stop_signals();
+    try {
+      const Exported exported = export_run(record, chosen, options);
+      for (const std::string& note : exported.notes) print_text(stderr, "bendlab: {}\n", note);
+      if (json)
+        print_text("{}\n", json_text(to_json(record, chosen, exported)));
+      else
+        print_exported(record, exported);
+      return exit_ok;
+    } catch (const ExportStopped&) {
+      print_text(stderr, "bendlab: stopped; nothing was written\n");
+      return stop_exit_code();
+    }
+  }
+};
+
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> export_formats() {
-  std::vector<std::pair<std::string, std::string>> names;
-  for (const Format* format : formats()) names.emplace_back(format->name, format->summary);
-  return names;
-}
-
-int export_command(const ExportArguments& arguments, bool json) {
-  const Format& format = *find_format(arguments.format);
-  const RunRecord run = find_run(arguments.run, arguments.folder);
-  ExportOptions options{
-      .frames = arguments.frames, .to = arguments.to, .force = arguments.force, .stop = &stop_flag()};
-  if (!arguments.up.empty()) options.up = named<UpAxis>(arguments.up, up_axis_names);
-  catch_stop_signals();
-  try {
-    const Exported exported = export_run(run, format, options);
-    for (const std::string& note : exported.notes) print_text(stderr, "bendlab: {}\n", note);
-    if (json)
-      print_text("{}\n", json_text(to_json(run, format, exported)));
-    else
-      print_exported(run, exported);
-    return exit_ok;
-  } catch (const ExportStopped&) {
-    print_text(stderr, "bendlab: stopped; nothing was written\n");
-    return stop_exit_code();
-  }
-}
+extern const CommandKind export_command{
+    "export", "Write a run for Blender, Houdini, a spreadsheet or other programs",
+    "bendlab export results/first/cells=16 --format usda --to first.usda", make<ExportCommand>};
 
 }  // namespace bendlab

@@ -10,7 +10,7 @@
 
 #include "bendlab/scene/fabric_files.hpp"
 #include "bendlab/scene/fabrics.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/command.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
@@ -83,7 +83,24 @@ void warn_of_units(const Json& rigidity) {
           direction, b, least, most);
 }
 
-Json rigidity_of_kes(const FabricsArguments& arguments) {
+struct FabricsCommand : Command {
+  std::string kes_warp, kes_weft, astm, arcsim;  // files with measurements
+  std::optional<double> mass;                    // g/m²
+
+  FabricsCommand() {
+    add(kes_warp, "--kes-warp",
+        "Curve of KES-FB2 along the warp: curvature in 1/cm and moment in gf cm/cm, two columns");
+    add(kes_weft, "--kes-weft", "Curve of KES-FB2 along the weft");
+    add(astm, "--astm",
+        "Overhangs of ASTM D1388 at 41.5 degrees: warp, weft or bias, and the overhang in mm");
+    add(arcsim, "--arcsim", "Material file of ARCSim (JSON)");
+    add(mass, "--mass", "Mass per area in g/m²", positive);
+    add(json, "--json", "Print the list as JSON, with the sources");
+  }
+  int run() override;
+};
+
+Json rigidity_of_kes(const FabricsCommand& arguments) {
   Json settings = {{"bending", {{"rigidity", Json::object()}}}};
   double friction = 0;
   std::vector<std::string> of_direction;
@@ -100,7 +117,7 @@ Json rigidity_of_kes(const FabricsArguments& arguments) {
   return settings;
 }
 
-Json rigidity_of_astm(const FabricsArguments& arguments) {
+Json rigidity_of_astm(const FabricsCommand& arguments) {
   if (!arguments.mass) throw UsageError("--astm needs the mass per area: --mass in g/m²");
   Json settings = {{"bending", {{"rigidity", Json::object()}}}};
   for (const BendingLengths& lengths : read_named(arguments.astm, astm_bending_lengths)) {
@@ -119,22 +136,26 @@ Json rigidity_of_astm(const FabricsArguments& arguments) {
   return settings;
 }
 
-}  // namespace
-
-int fabrics_command(const FabricsArguments& arguments, bool json) {
-  const bool kes = !arguments.kes_warp.empty() || !arguments.kes_weft.empty();
-  if (kes + !arguments.astm.empty() + !arguments.arcsim.empty() > 1)
+int FabricsCommand::run() {
+  const bool kes = !kes_warp.empty() || !kes_weft.empty();
+  if (kes + !astm.empty() + !arcsim.empty() > 1)
     throw UsageError("choose one of --kes-warp with --kes-weft, --astm and --arcsim");
-  if (!kes && arguments.astm.empty() && arguments.arcsim.empty()) return list_fabrics(json);
-  if (kes && (arguments.kes_warp.empty() || arguments.kes_weft.empty()))
+  if (!kes && astm.empty() && arcsim.empty()) return list_fabrics(json);
+  if (kes && (kes_warp.empty() || kes_weft.empty()))
     throw UsageError("KES measures both directions: give --kes-warp and --kes-weft");
-  Json settings = kes                      ? rigidity_of_kes(arguments)
-                  : arguments.astm.empty() ? read_named(arguments.arcsim, arcsim_settings)
-                                           : rigidity_of_astm(arguments);
-  if (arguments.mass) settings["material"]["density"] = *arguments.mass * 1e-3;
+  Json settings = kes            ? rigidity_of_kes(*this)
+                  : astm.empty() ? read_named(arcsim, arcsim_settings)
+                                 : rigidity_of_astm(*this);
+  if (mass) settings["material"]["density"] = *mass * 1e-3;
   warn_of_units(settings["bending"]["rigidity"]);
   print_text("{}\n", settings.dump(2));
-  return 0;
+  return exit_ok;
 }
+
+}  // namespace
+
+extern const CommandKind fabrics_command{
+    "fabrics", "List fabrics with measured numbers, or read measurements into the settings of a config",
+    "bendlab fabrics --kes-warp warp.csv --kes-weft weft.csv --mass 124", make<FabricsCommand>};
 
 }  // namespace bendlab

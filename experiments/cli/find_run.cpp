@@ -10,18 +10,11 @@
 #include "experiments/terminal/printable.hpp"
 
 namespace bendlab {
-namespace {
 
 namespace fs = std::filesystem;
 
-void report_unreadable(const std::string& what) {
-  print_text(stderr, "bendlab: {}\n", what);
-}
-
-}  // namespace
-
 std::vector<RunRecord> read_runs(const fs::path& folder) {
-  return read_runs(folder, report_unreadable);
+  return read_runs(folder, [](const std::string& what) { print_text(stderr, "bendlab: {}\n", what); });
 }
 
 std::vector<fs::path> files_by_id(const std::string& beginning, const fs::path& folder) {
@@ -52,6 +45,15 @@ RunRecord find_run(const std::string& run, const fs::path& folder) {
       fmt::format("'{}' is not a run file, not a folder with a run file, and not the beginning of the id of "
                   "a run in '{}'; 'bendlab list {}' lists the runs in this folder",
                   run, folder.string(), folder.string()));
+}
+
+void add_results(Command& command, std::string& folder) {
+  command.add(folder, "--results", "Folder in which to look for a run's id");
+}
+
+RunArgument::RunArgument(Command& command) {
+  command.add(run, "RUN", "A run file, the folder of a run file, or the beginning of a run's id");
+  add_results(command, folder);
 }
 
 }  // namespace bendlab

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
+#include "experiments/cli/command.hpp"
 
 namespace bendlab {
 
@@ -26,5 +27,16 @@ std::optional<std::filesystem::path> only_run(const std::string& run,
 /// The run that an argument names: a run file, a folder with a run file, or the beginning of the id of a run
 /// in `folder`. Throws UsageError if there is no such run, or if there are several.
 RunRecord find_run(const std::string& run, const std::filesystem::path& folder);
+
+/// --results of a command: the folder in which find_run() looks for an id.
+void add_results(Command& command, std::string& folder);
+
+/// The argument RUN of a command, and --results.
+struct RunArgument {
+  std::string run, folder = "results";
+
+  explicit RunArgument(Command& command);
+  RunRecord found() const { return find_run(run, folder); }
+};
 
 }  // namespace bendlab

@@ -6,7 +6,7 @@
 
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/fit/fit.hpp"
 #include "experiments/run/errors.hpp"
@@ -16,23 +16,42 @@
 namespace bendlab {
 namespace {
 
-FitProblem problem_of(const FitArguments& arguments) {
-  const Experiment experiment = load_experiment(arguments.config, arguments.overrides);
-  FitProblem problem{.runs = experiment.runs,
-                     .shapes = {},
-                     .pointers = arguments.settings,
-                     .uncertainty = arguments.uncertainty};
-  if (problem.runs.size() != arguments.measured.size())
+struct FitCommand : Command {
+  std::filesystem::path config;
+  std::vector<std::string> overrides, measured, settings;
+  std::optional<double> uncertainty;  // of a point, m
+
+  FitCommand() {
+    add(config, "CONFIG", "Config of the experiment, with a run for each specimen");
+    add(measured, "--measured!",
+        "File of points on a specimen, in m, in the coordinates of the mesh (the middle of a grid is the "
+        "origin): columns x and z along its middle, or x, y and z. Once for each run of the config");
+    add(settings, "--find!", "JSON pointer of a setting to find; its value in the config is the first guess");
+    add(uncertainty, "--uncertainty",
+        "Standard uncertainty of a measured point in m (default and least: from the distances that "
+        "remain, and from the size of the cells)",
+        positive);
+    add_set(*this, overrides);
+    add(json, "--json", "Print the result as JSON");
+  }
+  FitProblem problem() const;
+  int run() override;
+};
+
+FitProblem FitCommand::problem() const {
+  const Experiment experiment = load_experiment(config, overrides);
+  FitProblem problem{.runs = experiment.runs, .shapes = {}, .pointers = settings, .uncertainty = uncertainty};
+  if (problem.runs.size() != measured.size())
     throw UsageError(fmt::format(
         "the config has {} runs, but {} files are measured: give --measured once for each specimen, in "
         "the order of the sweep",
-        problem.runs.size(), arguments.measured.size()));
+        problem.runs.size(), measured.size()));
   for (std::size_t r = 0; r < problem.runs.size(); ++r) {
     const RestMesh rest(rest_mesh_of(problem.runs[r].scene().mesh, problem.runs[r].folder()).mesh);
     try {
-      problem.shapes.push_back(read_shape(arguments.measured[r], rest.centre().y()));
+      problem.shapes.push_back(read_shape(measured[r], rest.centre().y()));
     } catch (const std::exception& error) {
-      throw UsageError(fmt::format("{}: {}", arguments.measured[r], error.what()));
+      throw UsageError(fmt::format("{}: {}", measured[r], error.what()));
     }
   }
   return problem;
@@ -42,10 +61,8 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.2g} %", 100 * share) : "not known";
 }
 
-}  // namespace
-
-int fit_command(const FitArguments& arguments, bool json) {
-  const FitProblem problem = problem_of(arguments);
+int FitCommand::run() {
+  const FitProblem problem = this->problem();
   Fitted fitted;
   try {
     fitted = fit(problem);
@@ -100,5 +117,11 @@ int fit_command(const FitArguments& arguments, bool json) {
              fmt::join(unknown, ", "), 100 * Fitted::known);
   return exit_failed;
 }
+
+}  // namespace
+
+extern const CommandKind fit_command{
+    "fit", "Find settings of a config, such as rigidities, from measured shapes of cloth at rest",
+    "bendlab fit strip.json --measured warp.csv --find /bending/flexural_rigidity", make<FitCommand>};
 
 }  // namespace bendlab

@@ -13,7 +13,6 @@
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/child_program.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/errors.hpp"
@@ -23,6 +22,26 @@ namespace bendlab {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The options of both commands.
+struct PageCommand : Command {
+  std::vector<std::string> results;  ///< folders with runs, run files, sweep files, configs, ids
+  std::string folder = "results";    ///< in which to look for ids
+  fs::path out;                      ///< empty: beside the results, for view in the cache
+  std::vector<std::string> play;     ///< empty: a selection
+  std::string figures, x, y;         ///< of report; empty: no files, no further chart
+
+  PageCommand(const char* name, const char* what_out) {
+    add(results, name,
+        "Folders of results, run files, .sweep.json files, configs, or the beginnings of run ids");
+    add(out, "--out,-o FILE", what_out);
+    add(play, "--play RUN...",
+        "A run to be shown as an animation: the beginning of its id, or a part of its folder's name. "
+        "Repeatable (default: at most 8 runs, with every value of one swept setting and the middle "
+        "value of the other swept settings)");
+    add_results(*this, folder);
+  }
+};
 
 bool is_sweep_file(const fs::path& file) {
   return file.filename().string().ends_with(".sweep.json");
@@ -90,20 +109,14 @@ fs::path default_page(const std::vector<fs::path>& results) {
     return fs::is_directory(whole) ? whole : whole.parent_path();
   };
   fs::path common = home(results.front());
-  for (const fs::path& result : results) {
-    const fs::path other = home(result);
-    fs::path shared;
-    for (auto a = common.begin(), b = other.begin(); a != common.end() && b != other.end() && *a == *b;
-         ++a, ++b)
-      shared /= *a;
-    common = shared;
-  }
+  for (const fs::path& result : results)
+    while (home(result).lexically_relative(common).string().starts_with("..")) common = common.parent_path();
   const fs::path page = common / "report.html", near = page.lexically_proximate(fs::current_path());
   return near.string().starts_with("..") ? page : near;
 }
 
 /// The command, as printed on the page.
-std::string command_text(const char* command, const PageArguments& arguments) {
+std::string command_text(const char* command, const PageCommand& arguments) {
   std::string text = fmt::format("./bendlab {}", command);
   for (const std::string& result : arguments.results) text += " " + shell_quoted(result);
   for (const std::string& run : arguments.play) text += " --play " + shell_quoted(run);
@@ -115,7 +128,7 @@ std::string command_text(const char* command, const PageArguments& arguments) {
 }
 
 /// The command line that runs a Python script of the checkout with the arguments that every page needs.
-std::vector<std::string> script_call(const char* script, const char* command, const PageArguments& arguments,
+std::vector<std::string> script_call(const char* script, const char* command, const PageCommand& arguments,
                                      const std::vector<fs::path>& results) {
   const fs::path path = fs::path(BENDLAB_SOURCE_DIR) / "analysis" / script;
   if (!fs::is_regular_file(path))
@@ -140,39 +153,68 @@ int page_code(const std::vector<std::string>& call) {
   return exit_failed;
 }
 
-std::vector<fs::path> found_results(const PageArguments& arguments) {
+std::vector<fs::path> found_results(const PageCommand& arguments) {
   std::vector<fs::path> results;
   for (const std::string& result : arguments.results)
     results.push_back(found_result(result, arguments.folder));
   return results;
 }
 
+struct ReportCommand : PageCommand {
+  ReportCommand()
+      : PageCommand("RESULT", "The page's file (default: report.html in the folder of the results)") {
+    add(figures, "--figures svg|pdf|png",
+        "Also write each chart to a file, in the folder 'figures' beside the page");
+    const std::string number =
+        "a metric of the summary, such as ms_per_frame, vertices or error_physical_rms, or the pointer of a "
+        "setting";
+    add(x, "--x", "With --y, the horizontal axis of one more chart: " + number);
+    add(y, "--y", "With --x, the vertical axis of one more chart: " + number);
+  }
+
+  int run() override {
+    if (x.empty() != y.empty()) throw UsageError("--x and --y need each other");
+    const std::vector<fs::path> found = found_results(*this);
+    std::vector<std::string> call = script_call("report.py", "report", *this, found);
+    const fs::path page = out.empty() ? default_page(found) : out;
+    call.insert(call.begin() + 2, "--out=" + page.string());
+    return page_code(call);
+  }
+};
+
+struct ViewCommand : PageCommand {
+  bool live = false, no_open = false;
+
+  ViewCommand() : PageCommand("RUN", "The page's file (default: a file in ~/.cache/bendlab)") {
+    add(live, "--live",
+        "Show a run while it is being computed: serve the run's page at 127.0.0.1, under an address "
+        "that nobody can guess, and add new frames to the page. Ctrl-C ends the server");
+    add(no_open, "--no-open", "Only print where the page is, and do not open the browser");
+  }
+
+  int run() override {
+    const std::vector<fs::path> found = found_results(*this);
+    if (live && found.size() != 1)
+      throw UsageError("--live shows one run: name the folder of a run that is being computed");
+    std::vector<std::string> call = script_call(live ? "live.py" : "report.py", "view", *this, found);
+    if (!live) call.insert(call.begin() + 2, out.empty() ? "--cached" : "--out=" + out.string());
+    if (!no_open) call.insert(call.begin() + 2, "--open");
+    if (!live) return page_code(call);
+    std::vector<char*> argv;  // the server replaces this process, and so receives Ctrl-C
+    for (std::string& argument : call) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    execv(argv.front(), argv.data());
+    print_text(stderr, "bendlab: Python could not be started: {}\n", fmt::join(call, " "));
+    return exit_failed;
+  }
+};
+
 }  // namespace
 
-int report_command(const PageArguments& arguments) {
-  const std::vector<fs::path> results = found_results(arguments);
-  std::vector<std::string> call = script_call("report.py", "report", arguments, results);
-  const fs::path page = arguments.out.empty() ? default_page(results) : arguments.out;
-  call.insert(call.begin() + 2, "--out=" + page.string());
-  return page_code(call);
-}
-
-int view_command(const PageArguments& arguments) {
-  const std::vector<fs::path> results = found_results(arguments);
-  if (arguments.live && results.size() != 1)
-    throw UsageError("--live shows one run: name the folder of a run that is being computed");
-  std::vector<std::string> call =
-      script_call(arguments.live ? "live.py" : "report.py", "view", arguments, results);
-  if (!arguments.live)
-    call.insert(call.begin() + 2, arguments.out.empty() ? "--cached" : "--out=" + arguments.out.string());
-  if (!arguments.no_open) call.insert(call.begin() + 2, "--open");
-  if (!arguments.live) return page_code(call);
-  std::vector<char*> argv;  // the server replaces this process, and so receives Ctrl-C
-  for (std::string& argument : call) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  execv(argv.front(), argv.data());
-  print_text(stderr, "bendlab: Python could not be started: {}\n", fmt::join(call, " "));
-  return exit_failed;
-}
+extern const CommandKind report_command{
+    "report", "Make a page of any runs, with animations, charts and tables",
+    "bendlab report results/first results/second -o both.html", make<ReportCommand>};
+extern const CommandKind view_command{"view", "Watch runs in the browser",
+                                      "bendlab view results/first --play cells=16", make<ViewCommand>};
 
 }  // namespace bendlab

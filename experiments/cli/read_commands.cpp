@@ -1,3 +1,4 @@
+// `bendlab list` and `bendlab show`: the runs below a folder, and one run.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -5,15 +6,10 @@
 #include <chrono>
 #include <ctime>
 
-#include "bendlab/mesh/files.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
-#include "bendlab/settings/names.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/cli/mesh_report.hpp"
-#include "experiments/cli/report.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/run/broken_bound.hpp"
 #include "experiments/run/errors.hpp"
@@ -122,125 +118,102 @@ void sort_by(std::vector<RunRecord>& records, const std::string& name) {
   std::ranges::stable_sort(records, {}, key);
 }
 
-}  // namespace
+struct ListCommand : Command {
+  std::string folder = "results", sort;
+  std::vector<std::string> where;  // "/json/pointer=value"
 
-int list_command(const ListArguments& arguments, bool json) {
-  std::vector<RunRecord> records = chosen(read_runs(arguments.folder), arguments.where);
-  const std::string& sort = arguments.sort;
-  if (!sort.empty()) require_known(records, "--sort", sort), sort_by(records, sort);
-  std::vector<std::string> headings = {"id",       "name",        "status",          "frames", "written",
-                                       "vertices", "mean_strain", "pin_max_stretch", "wall_s"};
-  const bool own_column = !sort.empty() && std::ranges::find(headings, sort) == headings.end();
-  if (own_column) headings.push_back(sort);
-  Table table(headings);
-  for (const RunRecord& record : records) {
-    if (json) print_text("{}\n", json_text(to_json(record)));
-    const auto number = [&](const char* name) {
-      const auto found = record.summary.find(name);
-      return found == record.summary.end() ? std::string() : format_number(found->second);
-    };
-    std::vector<std::string> row = {record.id,
-                                    record.name,
-                                    to_string(record.status),
-                                    fmt::format("{}", record.frames),
-                                    when(record.file),
-                                    number("vertices"),
-                                    number("mean_strain"),
-                                    number("pin_max_stretch"),
-                                    fmt::format("{:.1f}", record.wall_s)};
-    if (own_column) {
-      const Json config = Json::parse(record.config);
-      const Json* const value = sort.starts_with('/') ? value_at(config, sort) : nullptr;
-      row.push_back(value ? value->dump() : number(sort.c_str()));
-    }
-    table.add_row(row);
+  ListCommand() {
+    add(folder, "[DIR]", "Folder of results");
+    add(where, "--where /POINTER=VALUE...",
+        "Only runs whose config has this value, such as /mesh/cells=64. Repeatable");
+    add(sort, "--sort NAME",
+        "Sort by a metric of the summary, such as drop, or by a setting, such as /mesh/cells; smallest "
+        "first");
+    add(json, "--json", "Print one JSON object per run");
   }
-  if (json) return exit_ok;
-  if (records.empty())
-    print_text("no {}runs in {}\n", arguments.where.empty() ? "" : "such ", arguments.folder);
-  else
-    print_text("{}", table.text());
-  return exit_ok;
-}
 
-int show_command(const std::string& run, const fs::path& folder, bool json) {
-  const RunRecord record = find_run(run, folder);
-  const Json description = to_json(record);
-  if (json) {
-    print_text("{}\n", json_text(description));
+  int run() override {
+    std::vector<RunRecord> records = chosen(read_runs(folder), where);
+    if (!sort.empty()) require_known(records, "--sort", sort), sort_by(records, sort);
+    std::vector<std::string> headings = {"id",       "name",        "status",          "frames", "written",
+                                         "vertices", "mean_strain", "pin_max_stretch", "wall_s"};
+    const bool own_column = !sort.empty() && std::ranges::find(headings, sort) == headings.end();
+    if (own_column) headings.push_back(sort);
+    Table table(headings);
+    for (const RunRecord& record : records) {
+      if (json) print_text("{}\n", json_text(to_json(record)));
+      const auto number = [&](const char* name) {
+        const auto found = record.summary.find(name);
+        return found == record.summary.end() ? std::string() : format_number(found->second);
+      };
+      std::vector<std::string> row = {record.id, record.name, to_string(record.status)};
+      row.insert(row.end(),
+                 {fmt::format("{}", record.frames), when(record.file), number("vertices"),
+                  number("mean_strain"), number("pin_max_stretch"), fmt::format("{:.1f}", record.wall_s)});
+      if (own_column) {
+        const Json config = Json::parse(record.config);
+        const Json* const value = sort.starts_with('/') ? value_at(config, sort) : nullptr;
+        row.push_back(value ? value->dump() : number(sort.c_str()));
+      }
+      table.add_row(row);
+    }
+    if (json) return exit_ok;
+    if (records.empty())
+      print_text("no {}runs in {}\n", where.empty() ? "" : "such ", folder);
+    else
+      print_text("{}", table.text());
     return exit_ok;
   }
-  print_text("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
-             to_string(record.status), counted(record.frames, "frame"), when(record.file));
-  if (const auto broken = broken_bound_of(provenance_json(record, "implausible")))
-    print_text("\nimplausible: {}\n", text_of(*broken));
-  for (const Warning& warning : warnings_of(provenance_json(record, "warnings")))
-    print_text("\nwarning {}: {}\n", warning.code, warning.message);
+};
 
-  std::map<std::string, std::string> summary;
-  for (const auto& [name, value] : record.summary) summary[name] = format_number(value);
-  print_section("summary", summary);
+struct ShowCommand : Command {
+  RunArgument asked{*this};
 
-  if (!record.passes.empty()) {
-    double all = 0;
-    for (const PassTime& pass : record.passes) all += pass.seconds;
-    Table passes({"pass", "seconds", "%", "calls"});
-    for (const PassTime& pass : record.passes)
-      passes.add_row({"  " + pass.name, fmt::format("{:.3f}", pass.seconds),
-                      fmt::format("{:.1f}", all > 0 ? 100 * pass.seconds / all : 0.0),
-                      fmt::format("{}", pass.calls)});
-    print_text("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
-  }
-  std::map<std::string, std::string> provenance = record.provenance;
-  for (const char* printed : {"implausible", "warnings"}) provenance.erase(printed);
-  print_section("provenance", provenance);
-  print_text("\nconfig\n{}\n", description.at("config").dump(2, ' ', false, Json::error_handler_t::replace));
-  return exit_ok;
-}
+  ShowCommand() { add(json, "--json", "Print one JSON object"); }
 
-namespace {
-
-// What each of the other policies would do with a mesh file that was refused.
-std::string policies_text(const fs::path& file) try {
-  const PolygonSoup soup = read_polygon_soup(file);
-  if (soup.triangles.empty()) return "";
-  std::string text = "\nother choices of /mesh/bad_triangles (here: --bad-triangles) would";
-  for (std::size_t p = 1; p < bad_triangles_names.size(); ++p) try {
-      const AcceptedMesh accepted = accept(soup, static_cast<BadTriangles>(p));
-      text += fmt::format("\n  {}: take it with {} vertices and {}\n    {}", bad_triangles_names[p],
-                          accepted.mesh.vertex_count(), counted(accepted.mesh.triangle_count(), "triangle"),
-                          fmt::join(accepted.notes, "\n    "));
-    } catch (const std::invalid_argument&) {
-      text += fmt::format("\n  {}: refuse it too", bad_triangles_names[p]);
+  int run() override {
+    const RunRecord record = asked.found();
+    const Json description = to_json(record);
+    if (json) {
+      print_text("{}\n", json_text(description));
+      return exit_ok;
     }
-  return text;
-} catch (const MeshFileError&) {  // no policy can read the file
-  return "";
-}
+    print_text("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
+               to_string(record.status), counted(record.frames, "frame"), when(record.file));
+    if (const auto broken = broken_bound_of(provenance_json(record, "implausible")))
+      print_text("\nimplausible: {}\n", text_of(*broken));
+    for (const Warning& warning : warnings_of(provenance_json(record, "warnings")))
+      print_text("\nwarning {}: {}\n", warning.code, warning.message);
+
+    std::map<std::string, std::string> summary;
+    for (const auto& [name, value] : record.summary) summary[name] = format_number(value);
+    print_section("summary", summary);
+
+    if (!record.passes.empty()) {
+      double all = 0;
+      for (const PassTime& pass : record.passes) all += pass.seconds;
+      Table passes({"pass", "seconds", "%", "calls"});
+      for (const PassTime& pass : record.passes)
+        passes.add_row({"  " + pass.name, fmt::format("{:.3f}", pass.seconds),
+                        fmt::format("{:.1f}", all > 0 ? 100 * pass.seconds / all : 0.0),
+                        fmt::format("{}", pass.calls)});
+      print_text("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
+    }
+    std::map<std::string, std::string> provenance = record.provenance;
+    for (const char* printed : {"implausible", "warnings"}) provenance.erase(printed);
+    print_section("provenance", provenance);
+    print_text("\nconfig\n{}\n",
+               description.at("config").dump(2, ' ', false, Json::error_handler_t::replace));
+    return exit_ok;
+  }
+};
 
 }  // namespace
 
-int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std::string_view policy,
-                 const fs::path& write, bool json) {
-  const auto chosen = named<BadTriangles>(policy, bad_triangles_names);
-  AcceptedMesh accepted;
-  try {
-    accepted = read_mesh(file, chosen);
-  } catch (const MeshFileError& error) {
-    if (error.kind() != MeshFileError::Kind::refused) throw;
-    throw MeshFileError(error.kind(), error.what() + policies_text(file));
-  }
-  for (const std::string& note : accepted.notes) print_text(stderr, "bendlab: {}\n", note);
-  if (!write.empty()) write_mesh(write, accepted.mesh);
-  if (json) {
-    nlohmann::ordered_json report = mesh_report_json(accepted.mesh, file.string(), thresholds);
-    report["bad_triangles"] = policy;
-    report["notes"] = accepted.notes;
-    print_text("{}\n", json_text(report));
-  } else {
-    print_text("{}", mesh_report(accepted.mesh, file.string(), thresholds));
-  }
-  return exit_ok;
-}
+extern const CommandKind list_command{"list", "List the runs below a folder",
+                                      "bendlab list results --where /bending/model=adaptive --sort drop",
+                                      make<ListCommand>};
+extern const CommandKind show_command{"show", "Show a run: summary, time per pass, provenance, config",
+                                      "bendlab show results/first", make<ShowCommand>};
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// The reports of `bendlab run`: a line of JSON per run, a step plan per run, or a table per experiment.
+// Computes runs, and reports on them: a line of JSON per run, a step plan per run, or a table per experiment.
 #pragma once
 
 #include <span>
@@ -8,6 +8,16 @@
 #include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
+
+/// What is printed on stdout about the runs.
+enum class Report { tables, lines, json, explanations };
+
+/// Computes the runs of the experiments. Prints a report of each experiment when its last run is over, or a
+/// line of JSON or a step plan for each run. Leaves out runs that were not started because of a signal.
+/// `strict`: warnings are errors, and nothing is computed if there are warnings before the runs begin.
+/// Returns the exit code.
+int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
+                   bool strict = false, Shard shard = {});
 
 /// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, step_cpu_s, summary, passes,
 /// expectations, implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.

@@ -8,7 +8,8 @@
 
 #include "bendlab_places.hpp"
 #include "experiments/cli/child_program.hpp"
-#include "experiments/cli/commands.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -42,8 +43,39 @@ constexpr std::array reproducibles = {
     Reproducible{"plain", "plain", {PageStage{{"plain"}}}},
 };
 
+struct ReproduceCommand : Command {
+  std::string what{reproducibles.front().name};
+  CampaignOptions campaign;
+  fs::path out;  // empty: the checkout's folder results for runs, and results/own for pages
+  bool committed = false, full = false, quick = false;
+
+  ReproduceCommand() {
+    std::vector<std::string_view> names;
+    for (const Reproducible& set : reproducibles) names.push_back(set.name);
+    add(what, fmt::format("[WHAT] {}", fmt::join(names, "|")),
+        "everything: the paper, then its ablations, every model and the scenes; paper: only the figures "
+        "of the paper; verification: whether the program solves its equations, compared with exact "
+        "solutions; stiffness: how stiff every model is, compared with theory; stability: in which hard "
+        "cases every model stays stable; accuracy: how much time accuracy costs; plain: whether plain "
+        "scenes go wrong without a warning");
+    add_campaign(*this, campaign);
+    add(full, "--full",
+        "Also run the configs whose names end in _full, such as resolution 256 (stability, accuracy and "
+        "plain have no such configs)");
+    add(quick, "--quick",
+        "Leave out configs whose names end in _slow (everything, paper and plain have no such configs); "
+        "the page says what is missing. Not with --full");
+    add(out, "--out",
+        "Folder for runs and pages (default: the checkout's folder results for runs, results/own for "
+        "pages)");
+    add(committed, "--committed",
+        "For maintainers: replace the project's own page, which is committed. Not with --out");
+  }
+  int run() override;
+};
+
 /// Whether a config is left out because of the end of its name.
-bool is_left_out(const fs::path& config, const ReproduceArguments& arguments) {
+bool is_left_out(const fs::path& config, const ReproduceCommand& arguments) {
   const std::string name = config.stem().string();
   return (name.ends_with("_full") && !arguments.full) || (name.ends_with("_slow") && arguments.quick);
 }
@@ -61,16 +93,16 @@ std::vector<fs::path> configs_in(const fs::path& folder) {
 /// The experiments of a stage. `changed` becomes true if --quick leaves out a config, or --full adds a
 /// config.
 std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& folder,
-                                       const ReproduceArguments& arguments, bool& changed) {
-  ConfigArguments configs;
+                                       const ReproduceCommand& arguments, bool& changed) {
+  std::vector<std::string> files;
   for (const std::string_view place : stage.configs) {
     if (place.empty()) continue;
     for (const fs::path& file : configs_in(folder / place)) {
       changed |= is_left_out(file, arguments) != is_left_out(file, {});
-      if (!is_left_out(file, arguments)) configs.files.push_back(file);
+      if (!is_left_out(file, arguments)) files.push_back(file.string());
     }
   }
-  return load_experiments(configs);
+  return load_experiments(files);
 }
 
 /// Runs a script of analysis/ with Python. Returns exit_ok, exit_failed, or the exit code of a stop signal.
@@ -84,53 +116,54 @@ int run_script(const fs::path& script, const std::vector<std::string>& arguments
   return exit_failed;
 }
 
-}  // namespace
-
-std::vector<std::string> reproducible() {
-  std::vector<std::string> names;
-  for (const Reproducible& set : reproducibles) names.emplace_back(set.name);
-  return names;
-}
-
-int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
-  const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
+int ReproduceCommand::run() {
+  if (full && quick) throw UsageError("--quick excludes --full");
+  if (committed && !out.empty()) throw UsageError("--committed excludes --out");
+  const Reproducible& set = *std::ranges::find(reproducibles, what, &Reproducible::name);
   const fs::path source = BENDLAB_SOURCE_DIR;
   if (!fs::is_directory(source / "configs"))
     throw UsageError(
         fmt::format("reproduce needs the configs and scripts of the checkout that this program was built "
                     "from, but '{}' does not exist: run ./bendlab reproduce in a checkout",
                     source.string()));
-  options.out = arguments.out.empty() ? source / "results" : arguments.out;
-  const fs::path pages = arguments.out.empty() && !arguments.committed ? options.out / "own" : options.out,
-                 page = pages / what.page;
+  CampaignOptions options = campaign;
+  options.out = out.empty() ? source / "results" : out;
+  const fs::path pages = out.empty() && !committed ? options.out / "own" : options.out,
+                 page = pages / set.page;
   std::vector<std::vector<Experiment>>
       experiments;  // of each stage; all configs are checked before the first run
   bool changed = false;
-  for (const PageStage& stage : what.stages)
-    experiments.push_back(experiments_of(stage, source / "configs", arguments, changed));
-  if ((arguments.quick || arguments.full) && !changed)
+  for (const PageStage& stage : set.stages)
+    experiments.push_back(experiments_of(stage, source / "configs", *this, changed));
+  if ((quick || full) && !changed)
     print_text(stderr, "bendlab: --{0} changes nothing: no config of {1} has a name that ends in _{2}\n",
-               arguments.quick ? "quick" : "full", what.name, arguments.quick ? "slow" : "full");
+               quick ? "quick" : "full", set.name, quick ? "slow" : "full");
 
   int code = exit_ok;
-  for (std::size_t i = 0; i < what.stages.size(); ++i) {
-    const PageStage& stage = what.stages[i];
+  for (std::size_t i = 0; i < set.stages.size(); ++i) {
+    const PageStage& stage = set.stages[i];
     if (stage.configs.front().empty()) break;
     const int runs_code = run_and_report(experiments[i], options, Report::lines);
     if (stop_exit_code() != 0) return runs_code;
     code = std::max(code, runs_code);
     print_text(stderr, "bendlab: drawing the figures\n");
-    std::vector<std::string> drawing = {std::string(what.page), "--results", options.out.string(), "--out",
+    std::vector<std::string> drawing = {std::string(set.page), "--results", options.out.string(), "--out",
                                         page.string()};
     if (!stage.option.empty()) drawing.emplace_back(stage.option);
     // page.py prints the path of the page.
     if (const int drawn = run_script(source / "analysis/page.py", drawing); drawn != exit_ok) return drawn;
   }
-  if (!arguments.committed)
+  if (!committed)
     if (const int compared = run_script(source / "analysis/compare_pages.py", {page.string()});
         compared != exit_ok)
       return compared;
   return code;
 }
+
+}  // namespace
+
+extern const CommandKind reproduce_command{
+    "reproduce", "Run a set of the project's experiments and make the page with its figures and checks",
+    "bendlab reproduce paper", make<ReproduceCommand>};
 
 }  // namespace bendlab

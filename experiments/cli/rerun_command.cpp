@@ -1,3 +1,4 @@
+// `bendlab rerun`: computes a run again from its file.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <stdlib.h>
@@ -7,7 +8,6 @@
 
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/rerun.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
@@ -68,24 +68,38 @@ void print(const RunRecord& run, const Repetition& repetition) {
   print_text("\n{}", table.text());
 }
 
+struct RerunCommand : Command {
+  RunArgument asked{*this};
+  fs::path out;  // empty: the new run is not kept
+
+  RerunCommand() {
+    add(out, "--out", "Keep the new run in this folder (default: the new run is not kept)");
+    add(json, "--json", "Print one JSON object");
+  }
+
+  int run() override {
+    const RunRecord run = asked.found();
+    if (!is_over(run.status))
+      throw UsageError(fmt::format("'{}' is {}: only a run that has ended can be repeated", run.file.string(),
+                                   to_string(run.status)));
+    catch_stop_signals();
+    std::optional<ScratchFolder> scratch;
+    if (out.empty()) scratch.emplace();
+    const Repetition repetition =
+        repeat(run, scratch ? fs::path(scratch->path()) : out, {.stop = &stop_flag()});
+    if (stop_exit_code() != 0) return stop_exit_code();
+    if (json)
+      print_text("{}\n", json_text(to_json(run, repetition)));
+    else
+      print(run, repetition);
+    return repetition.differing_parts.empty() ? exit_ok : exit_failed;
+  }
+};
+
 }  // namespace
 
-int rerun_command(const RerunArguments& arguments, bool json) {
-  const RunRecord run = find_run(arguments.run, arguments.folder);
-  if (!is_over(run.status))
-    throw UsageError(fmt::format("'{}' is {}: only a run that has ended can be repeated", run.file.string(),
-                                 to_string(run.status)));
-  catch_stop_signals();
-  std::optional<ScratchFolder> scratch;
-  if (arguments.out.empty()) scratch.emplace();
-  const Repetition repetition =
-      repeat(run, scratch ? fs::path(scratch->path()) : arguments.out, {.stop = &stop_flag()});
-  if (stop_exit_code() != 0) return stop_exit_code();
-  if (json)
-    print_text("{}\n", json_text(to_json(run, repetition)));
-  else
-    print(run, repetition);
-  return repetition.differing_parts.empty() ? exit_ok : exit_failed;
-}
+extern const CommandKind rerun_command{"rerun",
+                                       "Compute a run again from its file, and say whether the bits agree",
+                                       "bendlab rerun results/first/cells=16", make<RerunCommand>};
 
 }  // namespace bendlab

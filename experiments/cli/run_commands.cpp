@@ -15,9 +15,9 @@
 #include "experiments/campaign/runs_on_disk.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/collected_texts.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/look_before.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/cli/shared_options.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/forecast.hpp"
@@ -181,20 +181,48 @@ std::string cover_text(const Covered& cover) {
   return text;
 }
 
-}  // namespace
+struct RunCommand : Command {
+  ConfigArguments configs{*this};
+  CampaignOptions campaign;
+  std::string shard;
+  bool explain = false, strict = false;
 
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, const std::string& shard,
-                bool json, bool explain, bool strict) {
-  const Shard part = shard.empty() ? Shard{} : shard_of(shard);
-  return run_and_report(load_experiments(configs), options,
-                        json      ? Report::json
-                        : explain ? Report::explanations
-                                  : Report::tables,
-                        strict, part);
-}
+  RunCommand() {
+    add_campaign(*this, campaign);
+    add(campaign.out, "--out", "Folder for the results");
+    add(shard, "--shard i/n",
+        "Compute only part i of n, 0 ≤ i < n: the runs whose position in the sweep, modulo n, is i");
+    add(campaign.minimal, "--minimal",
+        "Leave out effects that cannot act, and check that no bit of the result changes");
+    add(explain, "--explain",
+        "Instead of the tables of results, print what a step consists of: each pass (part of a step) "
+        "with its purpose, its time, and how much it changed. Not with --json");
+    add(strict, "--strict",
+        "Treat warnings as errors; if there are warnings before the runs begin, nothing is computed");
+    add(json, "--json", "Print one JSON object per run to stdout. Not with --explain");
+  }
 
-int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
-  for (const Experiment& experiment : load_experiments(configs)) {
+  int run() override {
+    if (json && explain) throw UsageError("--json excludes --explain");
+    const Report report = json ? Report::json : explain ? Report::explanations : Report::tables;
+    return run_and_report(configs.experiments(), campaign, report, strict,
+                          shard.empty() ? Shard{} : shard_of(shard));
+  }
+};
+
+struct PlanCommand : Command {
+  ConfigArguments configs{*this};
+  fs::path out = "results";
+
+  PlanCommand() {
+    add(out, "--out", "Folder of the results");
+    add(json, "--json", "Print one JSON object per run");
+  }
+  int run() override;
+};
+
+int PlanCommand::run() {
+  for (const Experiment& experiment : configs.experiments()) {
     const std::vector<KnownRun> known = look_at_runs(experiment, out);
     if (json) {
       for (std::size_t i = 0; i < known.size(); ++i)
@@ -236,8 +264,20 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
   return exit_ok;
 }
 
-int validate_command(const ConfigArguments& configs, bool strict) {
-  const std::vector<Experiment> experiments = load_experiments(configs);
+struct ValidateCommand : Command {
+  ConfigArguments configs{*this};
+  bool strict = false;
+
+  ValidateCommand() {
+    add(strict, "--strict",
+        "Build the scene of every run, and treat warnings that are known before the first step as "
+        "errors");
+  }
+  int run() override;
+};
+
+int ValidateCommand::run() {
+  const std::vector<Experiment> experiments = configs.experiments();
   const KnownBefore known = look_before(experiments, strict);
   if (known.exit_code != exit_ok) return known.exit_code;
   if (strict && known.warnings > 0) return exit_failed;
@@ -246,5 +286,17 @@ int validate_command(const ConfigArguments& configs, bool strict) {
                counted(experiment.runs.size(), "run"), cover_text(experiment.cover));
   return exit_ok;
 }
+
+}  // namespace
+
+extern const CommandKind run_command{
+    "run", "Compute the runs of the configs, except the runs that are complete",
+    "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try", make<RunCommand>};
+extern const CommandKind plan_command{
+    "plan",
+    "List the runs of the configs: swept values, id, state, and the time, memory and disk that a run needs",
+    "bendlab plan configs/plain/first.json", make<PlanCommand>};
+extern const CommandKind validate_command{"validate", "Check configs and report every problem",
+                                          "bendlab validate configs/recommended.json", make<ValidateCommand>};
 
 }  // namespace bendlab

@@ -44,37 +44,27 @@ std::string status_cell(const CampaignRun& run) {
   return fine ? text : coloured(text, Colour::red, stdout);
 }
 
-/// A list of names of columns, without repetitions.
-class ColumnNames {
- public:
-  void add(const std::string& name) {
-    if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
-  }
-  const std::vector<std::string>& all() const { return names_; }
-
- private:
-  std::vector<std::string> names_;
-};
-
 /// The main columns, the expected metrics, the effective stiffnesses (if a run has less than 90 % of the
 /// stated stiffness), and the errors (if runs have errors).
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
-  ColumnNames columns;
-  for (const char* name : main_columns) columns.add(name);
+  std::vector<std::string> columns(main_columns.begin(), main_columns.end());
+  const auto add = [&](const std::string& name) {
+    if (std::ranges::find(columns, name) == columns.end()) columns.push_back(name);
+  };
   const auto any_run_has = [&](const std::string& name) {
     return std::ranges::any_of(runs, [&](const CampaignRun& run) { return has_number(run, name); });
   };
   for (const Expectation& expected : runs.front().experiment->expectations)
-    if (any_run_has(expected.metric)) columns.add(expected.metric);
+    if (any_run_has(expected.metric)) add(expected.metric);
   constexpr double converged = 0.9;  // 1
   for (const char* share : {"effective_bending_stiffness", "effective_membrane_stiffness"})
     if (std::ranges::any_of(runs, [&](const CampaignRun& run) {
           return has_number(run, share) && run.outcome->summary.at(share) < converged;
         }))
-      columns.add(share);
+      add(share);
   for (const char* error : {"error_solver_rms", "error_physical_rms"})
-    if (any_run_has(error)) columns.add(error);
-  return columns.all();
+    if (any_run_has(error)) add(error);
+  return columns;
 }
 
 /// The metrics of a measure that at least one run has in its summary.

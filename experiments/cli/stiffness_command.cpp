@@ -8,7 +8,6 @@
 
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/measures/strip.hpp"
 #include "experiments/run/errors.hpp"
@@ -54,7 +53,7 @@ std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, d
 }
 
 // The index of a frame; negative numbers count from the end.
-std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
+std::int64_t frame_of(const RunRecord& record, int asked) {
   const auto frames = static_cast<std::int64_t>(record.frames);
   const std::int64_t frame = asked < 0 ? frames + asked : asked;
   if (frame < 0 || frame >= frames)
@@ -105,37 +104,60 @@ std::string profile_text(const std::vector<ProfileRow>& profile) {
   return table.text();
 }
 
-}  // namespace
+struct StiffnessCommand : Command {
+  RunArgument asked{*this};
+  StripSettings strip_settings;
+  int asked_frame = -1;  // negative: from the end
+  bool profile = false;
 
-int stiffness_command(const std::string& run, const std::filesystem::path& folder,
-                      const StiffnessArguments& arguments, bool json) {
-  const RunRecord record = find_run(run, folder);
-  const std::int64_t frame = frame_of(record, arguments.frame);
-  const Positions positions = as_rows(read_positions(record.file, frame));
-  const double time = read_metric(record.file, "time").at(static_cast<std::size_t>(frame));
-  const RunStrip strip =
-      strip_in(record.file, config_of(record), {arguments.clamp_offset, arguments.exclude});
-  const StripStiffness stiffness = strip.meter.measure(positions, strip.options);
-  const std::vector<Row> rows = rows_of(stiffness, strip.options, settling_of(record, frame, strip));
-  if (json) {
-    Json result = {{"id", record.id},
-                   {"name", record.name},
-                   {"file", record.file.string()},
-                   {"frame", frame},
-                   {"time", time}};
-    for (const Row& row : rows) result[row.name] = row.value;
-    result["fit_samples"] = stiffness.fit.samples;
-    if (arguments.profile) result["profile"] = profile_json(stiffness.profile);
-    print_text("{}\n", json_text(result));
+  StiffnessCommand() {
+    add(strip_settings.clamp_offset, "--clamp-offset",
+        "How far behind the clamp's edge the strip begins to bend, in m (default: a quarter of the reach "
+        "of the bending constraints along the strip: h/2 for hinges on rows h apart, t h/4 for springs "
+        "of ring t; 0 with physical stiffness)",
+        not_negative);
+    add(strip_settings.exclude, "--exclude",
+        "Length at the clamp and at the free end that the fit of moment m to curvature κ leaves out, in "
+        "m (default: the reach of the bending constraints)",
+        not_negative);
+    add(asked_frame, "--frame", "Which frame to measure; negative numbers count from the end");
+    add(profile, "--profile", "Also print angle, curvature and moment along the strip");
+    add(json, "--json", "Print one JSON object");
+  }
+
+  int run() override {
+    const RunRecord record = asked.found();
+    const std::int64_t frame = frame_of(record, asked_frame);
+    const Positions positions = as_rows(read_positions(record.file, frame));
+    const double time = read_metric(record.file, "time").at(static_cast<std::size_t>(frame));
+    const RunStrip strip = strip_in(record.file, config_of(record), strip_settings);
+    const StripStiffness stiffness = strip.meter.measure(positions, strip.options);
+    const std::vector<Row> rows = rows_of(stiffness, strip.options, settling_of(record, frame, strip));
+    if (json) {
+      Json result = {{"id", record.id},
+                     {"name", record.name},
+                     {"file", record.file.string()},
+                     {"frame", frame},
+                     {"time", time}};
+      for (const Row& row : rows) result[row.name] = row.value;
+      result["fit_samples"] = stiffness.fit.samples;
+      if (profile) result["profile"] = profile_json(stiffness.profile);
+      print_text("{}\n", json_text(result));
+      return exit_ok;
+    }
+    print_text("{}\n{}  {}  frame {} at {:.6g} s\n\n", record.file.string(), record.id, record.name, frame,
+               time);
+    Table table({"", "value", "unit", "what it is"});
+    for (const Row& row : rows) table.add_row({row.name, format_number(row.value), row.unit, row.meaning});
+    print_text("{}", table.text());
+    if (profile) print_text("\n{}", profile_text(stiffness.profile));
     return exit_ok;
   }
-  print_text("{}\n{}  {}  frame {} at {:.6g} s\n\n", record.file.string(), record.id, record.name, frame,
-             time);
-  Table table({"", "value", "unit", "what it is"});
-  for (const Row& row : rows) table.add_row({row.name, format_number(row.value), row.unit, row.meaning});
-  print_text("{}", table.text());
-  if (arguments.profile) print_text("\n{}", profile_text(stiffness.profile));
-  return exit_ok;
-}
+};
+
+}  // namespace
+
+extern const CommandKind stiffness_command{"stiffness", "Measure how stiff the cantilever strip of a run is",
+                                           "bendlab stiffness results/strip", make<StiffnessCommand>};
 
 }  // namespace bendlab

@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "experiments/cli/command.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -44,6 +45,21 @@ TEST_CASE("Usage errors exit with 2 and suggest what was meant", "[command line]
   CHECK(here.run("test") == 2);
   CHECK_THAT(here.err(), ContainsSubstring("./bendlab test"));
   CHECK(here.out().empty());
+}
+
+TEST_CASE("The usage of an option says its name, its value and how often it is given", "[command line]") {
+  using bendlab::Option;
+  std::vector<std::string> values;
+  const Option config("CONFIG", &values, "", {}), folder("[DIR]", &values, "", {}),
+      format("--format! obj|ply", &values, "", {}), play("--play,-p RUN...", &values, "", {}),
+      models("--models NAME,...", &values, "", {}), list("--list", &values, "", {});
+  CHECK((config.name == "CONFIG" && config.required && config.type.empty()));
+  CHECK((folder.name == "DIR" && !folder.required));
+  CHECK((format.name == "--format" && format.required && format.type.empty()));
+  CHECK(format.choices == std::vector<std::string>{"obj", "ply"});
+  CHECK((play.name == "--play,-p" && play.type == "RUN" && play.separate && !play.by_commas));
+  CHECK((models.type == "NAME" && models.by_commas && !models.separate));
+  CHECK((list.name == "--list" && list.type.empty() && !list.required && !list.separate));
 }
 
 TEST_CASE("Help and version go to stdout", "[command line]") {

@@ -408,6 +408,7 @@ TEST_CASE("trust: the shells complete commands, options and files of the program
   };
   CHECK(completed("val") == "validate\n");
   CHECK(completed("run --for") == "--force\n");
+  CHECK(completed("export --format us") == "usda\n");
   CHECK(completed("run a.json --set /solver/subs") == "/solver/substeps=\n");
   CHECK(completed("show scr") == "script\n");
 }
