@@ -32,22 +32,6 @@ struct MethodPass {
   std::string_view name, why;
 };
 
-/// What the text of a warning depends on, for a run whose steps did not converge.
-struct UnconvergedRun {
-  bool touches = false;  ///< the cloth may touch an obstacle
-  bool has_strain = false;
-};
-
-/// What the choice of remedies depends on, for a run that diverged or broke a bound of its scene.
-struct FailedRun {
-  const SimulationInput& input;
-  bool fell_wrong = false;  ///< free cloth did not fall as forces demand; false: it flew apart
-  bool single_precision = false;
-  bool is_pinned = false;
-  bool helps_projection = false;  ///< the scene lists an effect with EffectKind::helps_projection
-  bool is_prestressed = false;    ///< springs are longer at rest than the distance of their vertices
-};
-
 template <class Real>
 using MakeSimulation = std::unique_ptr<Simulation> (*)(const SimulationInput&, std::vector<Pass<Real>>);
 
@@ -110,10 +94,6 @@ struct MethodKind {
   /// Steps lag behind the motion if the unbalanced forces exceed this multiple of the effects' forces; the
   /// second multiple is for cloth that touches something.
   double residual_of_lag = 2, residual_of_lag_on_obstacle = 1;
-  /// A sentence on what reduced this lag in tests; null: more iterations.
-  std::string (*remedy_of_lag)(const void* settings, const UnconvergedRun&) = nullptr;
-  /// Changes of settings that helped a failed run in trials; null: nothing was tried.
-  std::vector<std::string> (*remedies)(const void* settings, const FailedRun&) = nullptr;
   /// Sorts the scene's lists before a simulation is made; null: the lists stay as they are.
   void (*sort)(const void* settings, SimulationInput& input, const RestMesh& rest) = nullptr;
   MakeSimulation<float> make_float = nullptr;  ///< null: there is no single precision
