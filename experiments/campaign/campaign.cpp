@@ -123,16 +123,16 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
   }
 }
 
-// The order in which runs begin: the longest first, or the shortest first. With a shard, the runs of this
+// The order in which runs begin: the most work first, or the least work first. With a shard, the runs of this
 // shard come before the runs of other shards.
-std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first,
+std::vector<std::size_t> order_of(const std::vector<double>& works, bool short_first,
                                   const std::optional<Shard>& shard) {
-  std::vector<std::size_t> order(costs.size());
+  std::vector<std::size_t> order(works.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return short_first ? costs[a] < costs[b] : costs[a] > costs[b]; });
+                   [&](auto a, auto b) { return short_first ? works[a] < works[b] : works[a] > works[b]; });
   if (!shard) return order;
-  const std::vector<std::size_t> shards = shards_of(costs, shard->count);
+  const std::vector<std::size_t> shards = shards_of(works, shard->count);
   const auto turn = [&](std::size_t run) {
     return (shards[run] + shard->count - shard->index) % shard->count;
   };
@@ -142,29 +142,18 @@ std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_f
 
 }  // namespace
 
-double expected_cpu_s(const RunConfig& config) {
-  constexpr double unknown = 1;  // s, for a run that cannot be built
-  const std::optional<Forecast> needs = forecast(config);
-  return needs ? needs->cpu_s : unknown;
-}
-
-void Needs::add(const Forecast& run) {
-  cpu_s += run.cpu_s, disk_bytes += run.disk_bytes;
-  most_memory_bytes = std::max(most_memory_bytes, run.memory_bytes);
-}
-
-std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count) {
-  std::vector<std::size_t> order(expected_s.size()), shards(expected_s.size());
+std::vector<std::size_t> shards_of(const std::vector<double>& works, std::size_t count) {
+  std::vector<std::size_t> order(works.size()), shards(works.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return expected_s[a] > expected_s[b]; });
-  using Busy = std::pair<double, std::size_t>;  // s, shard
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return works[a] > works[b]; });
+  using Busy = std::pair<double, std::size_t>;  // work, shard
   std::priority_queue<Busy, std::vector<Busy>, std::greater<>> emptiest;
   for (std::size_t shard = 0; shard < count; ++shard) emptiest.push({0.0, shard});
   for (const std::size_t run : order) {
     const auto [load, shard] = emptiest.top();
     emptiest.pop();
     shards[run] = shard;
-    emptiest.push({load + expected_s[run], shard});
+    emptiest.push({load + works[run], shard});
   }
   return shards;
 }
@@ -189,13 +178,13 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   keep_changes(options.out);
   const std::atomic<bool>& stop = options.stop ? *options.stop : stop_flag();
   const std::vector<std::size_t> executed_as = first_of_equals(runs);
-  std::vector<double> costs;
+  std::vector<double> works;
   for (std::size_t i = 0; i < runs.size(); ++i)
-    costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
-  const std::vector<std::size_t> order = order_of(costs, options.short_first, options.shard);
+    works.push_back(executed_as[i] == i ? crude_work(*runs[i].config) : 0.0);
+  const std::vector<std::size_t> order = order_of(works, options.short_first, options.shard);
 
   MemoryBudget memory;
-  Progress progress(costs);
+  Progress progress(works);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;  // guards what follows
   std::set<std::pair<const Experiment*, std::string>> printed;
@@ -245,7 +234,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
                 progress.message(fmt::format("{}: waiting for {}, which is computing this run",
                                              run_text(runs[index]), owner));
               }};
-      const std::optional<Forecast> needs = forecast(*runs[index].config);
+      const std::optional<Needs> needs = needs_of(*runs[index].config);
       const MemoryBudget::Reservation reservation(memory, needs ? std::round(needs->memory_bytes) : 0.0);
       if (!stop) execute(runs[index], options, control);
       try {

@@ -10,7 +10,7 @@
 
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/run_control.hpp"
 #include "experiments/run/run_outcome.hpp"
 
@@ -41,7 +41,7 @@ struct Shard {
 struct CampaignOptions {
   std::filesystem::path out = "results";
   int jobs = 0;              ///< runs at a time; 0: number of cores / threads per run
-  bool short_first = false;  ///< begin with the shortest runs (by forecast) instead of the longest
+  bool short_first = false;  ///< begin with the least work instead of the most (crude_work())
   bool force = false;        ///< compute complete runs again
   bool minimal = false;      ///< leave out effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
@@ -53,12 +53,9 @@ struct CampaignOptions {
   const std::atomic<bool>* stop = nullptr;  ///< true stops the campaign, as a signal does; null: stop_flag()
 };
 
-/// CPU time that a run is expected to take, s (forecast.hpp).
-double expected_cpu_s(const RunConfig& config);
-
-/// The shard of each run, such that all shards take about equally long: the longest run goes to the emptiest
-/// shard, then the second longest, and so on.
-std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count);
+/// The shard of each run, such that all shards have about equal work: the run with the most work goes to the
+/// emptiest shard, then the run with the second most, and so on.
+std::vector<std::size_t> shards_of(const std::vector<double>& works, std::size_t count);
 
 /// The text in a run's folder that says why the run failed (with CampaignOptions::shard), or "".
 std::string failure_in(const std::filesystem::path& folder);
@@ -66,18 +63,10 @@ std::string failure_in(const std::filesystem::path& folder);
 /// The runs of all experiments, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
-/// Time, disk space and memory that several runs need.
-struct Needs {
-  double cpu_s = 0, disk_bytes = 0;
-  double most_memory_bytes = 0;  ///< memory of the largest run
-
-  void add(const Forecast& run);
-};
-
-/// Computes the runs, the longest first, as many at a time as fit into memory. A run that fails does not stop
-/// the others. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
-/// soon as this run and all runs before it are over. After a stop signal each current run ends with its next
-/// frame, and no further run begins.
+/// Computes the runs, those with the most work first, as many at a time as fit into memory. A run that fails
+/// does not stop the others. `on_ready` is called with the index of every run in sweep order, by one thread
+/// at a time, as soon as this run and all runs before it are over. After a stop signal each current run ends
+/// with its next frame, and no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready);
 

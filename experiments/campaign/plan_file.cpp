@@ -62,7 +62,7 @@ void write_plan(const fs::path& file, const std::vector<Experiment>& experiments
     plan["runs"].push_back({{"id", id},
                             {"text", run_text(run)},
                             {"folder", folder.string()},
-                            {"expected_s", expected_cpu_s(*run.config)}});
+                            {"work", crude_work(*run.config)}});
   }
   if (file.has_parent_path()) make_folder(file.parent_path());
   replace_file(file, plan.dump(1) + "\n");
@@ -73,8 +73,8 @@ PlanOverview read_plan(const fs::path& file) {
   return reading(file, [&] {
     PlanOverview overview{plan.at("source_hash"), plan.at("version"), plan.at("out").get<std::string>(), {}};
     for (const Json& run : plan.at("runs"))
-      overview.runs.push_back({run.at("id"), run.at("text"),
-                               overview.out / run.at("folder").get<std::string>(), run.at("expected_s")});
+      overview.runs.push_back(
+          {run.at("id"), run.at("text"), overview.out / run.at("folder").get<std::string>(), run.at("work")});
     return overview;
   });
 }

@@ -14,7 +14,7 @@ namespace bendlab {
 struct PlannedRun {
   std::string id, text;  ///< `text`: the run's experiment and swept values
   std::filesystem::path folder;
-  double expected_s = 0;  ///< forecast of the CPU time (expected_cpu_s)
+  double work = 0;  ///< crude_work() the run
 };
 
 /// The parts of a plan that `bendlab status` needs.

@@ -255,8 +255,8 @@ void add_work_commands(CLI::App& app, Arguments& a) {
   add_shown(submit, "--out", a.options.out, "Folder for the results, on a disk that all machines share");
   submit
       ->add_option("--tasks", a.submitted.tasks,
-                   "Number of tasks of the job array (default: so many that each task is expected to last at "
-                   "least a minute, but at most 1000)")
+                   "Number of tasks of the job array (default: so many that every run has a CPU at once, but "
+                   "at most 1000)")
       ->check(CLI::Range(1, 100000));
   add_shown(submit, "--cpus", a.submitted.cpus,
             "Cores per task, and number of runs that a task computes at a time")

@@ -20,7 +20,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/run/errors.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/run_id.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -45,14 +45,10 @@ void print_news(const std::string& what) {
   print_text(stderr, "bendlab: {}\n", what);
 }
 
-/// The largest number of tasks that are each expected to last a minute; at most `most` and one per run.
-std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::size_t most) {
-  constexpr double shortest_task_s = 60;
-  double sum = 0, longest = 0;
-  for (const double run_s : expected_s) sum += run_s, longest = std::max(longest, run_s);
-  const double by_time = std::floor(sum / (shortest_task_s * cpus));
-  const auto tasks = static_cast<std::size_t>(std::clamp(by_time, 1.0, static_cast<double>(most)));
-  return std::min(tasks, expected_s.size());
+/// As many tasks as let each run have a CPU at once, but at most 1000.
+std::size_t task_count(std::size_t runs, int cpus) {
+  const auto per_task = static_cast<std::size_t>(cpus);
+  return std::min<std::size_t>((runs + per_task - 1) / per_task, 1000);
 }
 
 std::string batch_file(const fs::path& plan, const std::string& name, std::size_t tasks,
@@ -141,7 +137,7 @@ int status_command(const fs::path& file, bool json) {
   const RunsOnDisk on_disk(parents, print_news);
   using Kind = RunState::Kind;
   std::map<std::string, std::size_t> count;
-  double done_s = 0, expected_of_done = 0, expected_left = 0;
+  double done_s = 0, work_done = 0, work_left = 0;
   const auto name_of = [](const RunState& state) -> std::string {
     constexpr std::array names = {"over", "running", "failed", "interrupted", "unreadable", "waiting"};
     return state.kind == Kind::over ? to_string(state.record.status)
@@ -154,16 +150,16 @@ int status_command(const fs::path& file, bool json) {
     const bool over = state.kind == Kind::over;
     ++count[name_of(state)];
     if (over)
-      done_s += state.record.cpu_s, expected_of_done += run.expected_s;
+      done_s += state.record.cpu_s, work_done += run.work;
     else
-      expected_left += run.expected_s;
+      work_left += run.work;
     if (json)
       print_text("{}\n", json_text(Json{{"id", run.id},
                                         {"run", run.text},
                                         {"folder", run.folder.string()},
                                         {"state", name_of(state)},
                                         {"text", state.text},
-                                        {"expected_s", run.expected_s},
+                                        {"work", run.work},
                                         {"wall_s", over ? state.record.wall_s : 0},
                                         {"cpu_s", over ? state.record.cpu_s : 0}}));
     if (state.kind == Kind::running || state.kind == Kind::failed) {
@@ -175,25 +171,21 @@ int status_command(const fs::path& file, bool json) {
   std::vector<std::string> parts;
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
   print_text("{}: {}\n", counted(plan.runs.size(), "run"), fmt::join(parts, ", "));
-  if (expected_left > 0 && done_s > 0)
-    print_text("the runs took {} of CPU time so far; the other runs may take up to {}\n",
-               duration_text(done_s), duration_text(expected_left * done_s / expected_of_done));
+  if (work_left > 0 && done_s > 0)
+    print_text("the finished runs took {} of CPU time; by their time, the other runs take about {}\n",
+               duration_text(done_s), duration_text(work_left * done_s / work_done));
   if (any) print_text("\n{}", table.text());
   return exit_ok;
 }
 
 int submit_command(const ConfigArguments& configs, const fs::path& out, const SubmitArguments& arguments) {
   const std::vector<Experiment> experiments = load_experiments(configs);
-  std::vector<double> expected_s;
+  std::size_t runs = 0;
   std::string ids;  // the plan's name depends on its runs
-  for (const CampaignRun& run : plan_campaign(experiments)) {
-    expected_s.push_back(expected_cpu_s(*run.config));
-    ids += run_id(*run.config);
-  }
-  const std::size_t tasks =
-      arguments.tasks > 0
-          ? std::min<std::size_t>(static_cast<std::size_t>(arguments.tasks), expected_s.size())
-          : task_count(expected_s, arguments.cpus, 1000);
+  for (const CampaignRun& run : plan_campaign(experiments)) ids += run_id(*run.config), ++runs;
+  const std::size_t tasks = arguments.tasks > 0
+                                ? std::min<std::size_t>(static_cast<std::size_t>(arguments.tasks), runs)
+                                : task_count(runs, arguments.cpus);
   const std::string name = experiments.front().name;
   const fs::path plan =
       fs::absolute(out / "plans" / fmt::format("{}-{}.plan.json", name, hex_hash(ids).substr(0, 8)))
@@ -208,8 +200,8 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
   const fs::path batch = fs::path(plan).replace_extension(".sbatch");
   replace_file(batch, text);
   const std::string job = submit(batch);
-  print_text("job {}: {} in {}; 'bendlab status {}' shows the progress\n", job,
-             counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
+  print_text("job {}: {} in {}; 'bendlab status {}' shows the progress\n", job, counted(runs, "run"),
+             counted(tasks, "task"), plan.string());
   return exit_ok;
 }
 

@@ -120,9 +120,8 @@ TEST_CASE("submit: the batch file has the requested options", "[campaign]") {
     CHECK(place.out().find(line) != std::string::npos);
   }
   CHECK_FALSE(fs::exists(place.folder / "results"));
-  REQUIRE(place.run("submit sweep.json --dry-run") == 0);
-  CHECK(place.out().find("#SBATCH --array=0-0\n") !=
-        std::string::npos);  // all runs together take less than a minute
+  REQUIRE(place.run("submit sweep.json --dry-run --cpus 3") == 0);
+  CHECK(place.out().find("#SBATCH --array=0-1\n") != std::string::npos);  // 4 runs on 2 × 3 cores
   REQUIRE(place.run("submit sweep.json --dry-run --tasks 100") == 0);
   CHECK(place.out().find("#SBATCH --array=0-3\n") != std::string::npos);  // at most one task per run
 }

@@ -189,10 +189,10 @@ def computed_by_workers(plan):
 
 
 def long_run(program, folder):
-    """LONG with a duration that takes LONG_S on this machine."""
-    write_config(folder, "probe", **LONG)
-    planned = json.loads(run(program, "plan", "probe.json", "--json", folder=folder).stdout)
-    return {**LONG, "duration": round(LONG["duration"] * LONG_S / planned["needs"]["cpu_s"], 1)}
+    """LONG with a duration that takes about LONG_S on this machine, by a run of one second of it."""
+    write_config(folder, "probe", **{**LONG, "duration": 1})
+    took = json.loads(run(program, "run", "probe.json", "--json", folder=folder).stdout)["cpu_s"]
+    return {**LONG, "duration": round(LONG_S / took, 1)}
 
 
 def sweep(program, folder, slurm, name, settings, disturbances, *options):

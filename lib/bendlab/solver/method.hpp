@@ -20,7 +20,7 @@ enum class Membrane {
   edges,      ///< SimulationInput::edges, a spring along each
 };
 
-/// The matrix that a method factorises, for forecasts of memory.
+/// The matrix that a method factorises.
 enum class Factorised {
   nothing,
   scalars,  ///< once: a matrix with a scalar for each pair of neighbours
@@ -57,8 +57,7 @@ struct MethodKind {
   std::span<const MethodPass> passes = {};  ///< besides "bending" and the passes of effects
   Membrane membrane = Membrane::triangles;
   Factorised factorised = Factorised::nothing;
-  /// The approximate time of an iteration, for forecasts; 1: the time to project each constraint once.
-  double cost = 1;
+  double bytes_per_vertex = 0;      ///< memory that the method takes besides mesh and constraints, measured
   bool springs_only = false;        ///< only takes bending models that are made of springs
   bool holds_axes = false;          ///< can hold vertices along an axis (SimulationInput::held)
   bool takes_own_elements = false;  ///< takes elements whose function the program brings

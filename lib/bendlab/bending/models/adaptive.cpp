@@ -14,6 +14,11 @@ BendingConstraints build(const Adaptive& settings, const BendingInput& input) {
       .facts = facts_of(levels)};
 }
 
+double springs(const Adaptive& settings, double size, double mean_edge) {
+  return springs_per_vertex(ring_rule(settings, settings.rings),
+                            adaptive_levels(size, mean_edge, settings).m);
+}
+
 }  // namespace
 
 constinit const BendingKind Adaptive::kind{
@@ -30,5 +35,6 @@ constinit const BendingKind Adaptive::kind{
     .settings = table_of<Adaptive>(fields),
     .springs_only = true,
     .build = erased<build>,
+    .springs_per_vertex = erased<springs>,
 };
 }  // namespace bendlab

@@ -276,5 +276,6 @@ constinit const BendingKind Dkt::kind{
     .takes_poisson_ratio = true,
     .takes_directions = true,
     .build = erased<build>,
+    .points_per_vertex = 2,
 };
 }  // namespace bendlab

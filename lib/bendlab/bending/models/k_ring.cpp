@@ -22,6 +22,10 @@ BendingConstraints build(const KRing& settings, const BendingInput& input) {
       .facts = {{"k", static_cast<double>(settings.k), "the farthest ring that springs of a vertex reach"}}};
 }
 
+double springs(const KRing& settings, double /*size*/, double /*mean_edge*/) {
+  return springs_per_vertex(ring_rule(settings, settings.rings), settings.k);
+}
+
 }  // namespace
 
 constinit const BendingKind KRing::kind{
@@ -36,5 +40,6 @@ constinit const BendingKind KRing::kind{
     .settings = table_of<KRing>(fields),
     .springs_only = true,
     .build = erased<build>,
+    .springs_per_vertex = erased<springs>,
 };
 }  // namespace bendlab

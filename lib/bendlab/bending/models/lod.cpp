@@ -36,6 +36,11 @@ BendingConstraints build(const Lod& settings, const BendingInput& input) {
   return constraints;
 }
 
+double springs(const Lod& settings, double size, double mean_edge) {
+  return springs_per_vertex(rule_of(settings),
+                            settings.t ? settings.t : adaptive_levels(size, mean_edge, settings).m);
+}
+
 }  // namespace
 
 constinit const BendingKind Lod::kind{
@@ -50,5 +55,6 @@ constinit const BendingKind Lod::kind{
     .settings = table_of<Lod>(fields),
     .springs_only = true,
     .build = erased<build>,
+    .springs_per_vertex = erased<springs>,
 };
 }  // namespace bendlab

@@ -122,5 +122,6 @@ constinit const BendingKind MidEdge::kind{
     .softens = true,
     .yields = true,
     .build = erased<build>,
+    .points_per_vertex = 4,
 };
 }  // namespace bendlab

@@ -173,6 +173,7 @@ constinit const MethodKind Newton::kind{
     .settings = table_of<Newton>(fields),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .bytes_per_vertex = 10e3,
     .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",

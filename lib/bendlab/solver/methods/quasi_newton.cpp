@@ -326,7 +326,7 @@ constinit const MethodKind QuasiNewton::kind{
     .settings = table_of<QuasiNewton>(fields),
     .passes = own_passes,
     .factorised = Factorised::scalars,
-    .cost = 3.5,
+    .bytes_per_vertex = 2000,
     .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
