@@ -173,7 +173,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
 
   CLI::App* plan = add_command(
       app, a, "plan",
-      "List the runs of the configs: swept values, id, state, and the time, memory and disk that a run needs",
+      "List the runs of the configs: swept values, id, state, memory and disk, and the time by finished runs",
       [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
   add_configs(plan, a);
   plan->add_option("--write", a.plan, "Also write the plan to this file, for 'bendlab work'")
