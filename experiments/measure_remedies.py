@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Measures the numbers about changed settings that warnings, remedies and the stability page state.
+"""Tries the remedies of warnings and failed runs, and measures the changes that the stability page names.
 
-    ./bendlab python experiments/measure_remedies.py            # lib/bendlab/solver/measured.hpp
+    ./bendlab python experiments/measure_remedies.py            # prints the trials; exit 1 if a remedy fails
     ./bendlab python experiments/measure_remedies.py --reasons  # results/stability/apart.json; half an hour
 
 The scenes are small and fail on purpose. Runs are stored in results/own/remedies, and are computed
-only if they are missing there. Texts state two significant digits.
+only if they are missing there.
 """
 import copy
 import json
+import re
 import sys
 import warnings
 from pathlib import Path
@@ -23,7 +24,6 @@ from runs.stability_cases import CASES, FOLDER  # noqa: E402
 from runs.stability_reasons import APART, CHANGES, PLACE, QUANTITIES, REASONS  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-FILE = ROOT / "lib/bendlab/solver/measured.hpp"
 OUT = ROOT / "results/own/remedies"
 GRAVITY, TETHERS = {"type": "gravity"}, {"type": "tethers"}
 
@@ -56,18 +56,6 @@ STATED = {"allow": ["implausible"], "duration": 2, "mesh": {"width": 1, "height"
 # The sheet of STATED, which falls on a ball that spins.
 BALL = STATED | {"pins": {"vertices": []}, "effects": [
     GRAVITY, {"type": "sphere", "centre": [0.5, 0.5, -0.35], "radius": 0.3, "spin": 3}, {"type": "friction"}]}
-EXACT = '/solver={"method": "newton", "substeps": 12, "tolerance": 1e-7}'
-
-
-def main():
-    warnings.simplefilter("ignore")
-    if "--reasons" in sys.argv:
-        return reasons()
-    numbers = {}
-    for measure in (torn, centre, long_steps, stretched, still, pushed, implicit, lag, ball):
-        numbers |= measure()
-    FILE.write_text(header(numbers), encoding="utf-8")
-    print(FILE)
 
 
 def changed(config, changes):
@@ -82,107 +70,57 @@ def changed(config, changes):
     return config
 
 
-def measured(name, config, changes, metric, sweep=None):
-    """The values of a metric in the runs of a config with these changes, in order of the sweep."""
-    table = bl.run(changed(config, changes), sweep=sweep or {}, out=OUT, name=name)
-    return np.array(table[metric], float)
+def with_solver(method, substeps, iterations, compliance=1e-4, **settings):
+    return {"/material/strain/compliance": compliance,
+            "/solver": {"method": method, "substeps": substeps, "iterations": iterations, **settings}}
 
 
-def torn():
-    """The largest stretch in any frame, of three models: unchanged, with tethers, in 10 substeps."""
-    def worst(**changes):
-        return np.concatenate([
-            measured("torn", TORN, changes | {"/mesh/cells": cells, "/bending/model": model}, "worst_stretch")
-            for model, cells in (("crossover", 64), ("none", 32), ("k_ring", 64))])
-    before, tethered = worst(), worst(**{"/effects": [GRAVITY, TETHERS]})
-    substeps = worst(**{"/solver/substeps": 10})
-    return {"torn_least": before.min(), "torn_most": before.max(), "torn_with_tethers": tethered.max(),
-            "torn_in_10_substeps_least": substeps.min(), "torn_in_10_substeps_most": substeps.max()}
+# The table of experiments/run/remedies.cpp: code and remedy, a scene that needs the remedy, the metric that
+# it lowers, and the changes.
+TRIALS = [
+    ("unconverged: 10 × 1 instead of 1 × 10", CENTRE, "max_stretch",
+     {"/solver/substeps": 10, "/solver/iterations": 1}),
+    ("unconverged: twice the substeps", changed(CENTRE, {"/solver/iterations": 1, "/solver/substeps": 10}),
+     "mean_strain", {"/solver/substeps": 20}),
+    ("unconverged: tethers", CENTRE, "max_stretch", {"/effects": [GRAVITY, TETHERS]}),
+    *((f"lagging: iterations of {method}", changed(STATED, with_solver(method, 1, few, compliance)),
+       "step_residual", {"/solver/iterations": more})
+      for method, few, more, compliance in (("newton", 3, 10, 1e-5), ("quasi_newton", 2, 20, 1e-4),
+                                            ("vbd", 5, 50, 1e-4))),
+    ("lagging: membrane auto", changed(STATED, with_solver("quasi_newton", 1, 10, membrane="stated")),
+     "step_residual", {"/solver/membrane": "auto"}),
+    ("lagging on a ball: substeps and iterations", changed(BALL, with_solver("quasi_newton", 1, 10)),
+     "step_residual", {"/solver/substeps": 8, "/solver/iterations": 30}),
+    ("lagging on a ball: substeps of newton", changed(BALL, with_solver("newton", 1, 20)), "step_residual",
+     {"/solver/substeps": 8}),
+    ("apart: symmetric sweeps", STILL, "kinetic_energy", {"/solver/sweep": "symmetric"}),
+    ("apart: k 0.1", PUSHED, "mean_strain", {"/bending/k": 0.1}),
+    ("apart: isometric", PUSHED, "mean_strain",
+     {"/bending": {"model": "isometric", "stiffness": "k", "k": 1}}),
+    ("apart: tethers", TORN, "worst_stretch", {"/effects": [GRAVITY, TETHERS]}),
+    ("apart: substeps", TORN, "worst_stretch", {"/solver/substeps": 10}),
+    ("apart: flight limit", changed(TORN, {"/bending/model": "adaptive", "/solver/dt": 1 / 15}),
+     "worst_stretch", {"/solver/flight_limit": 0.25}),
+    ("apart: form angle", STRETCHED, "mean_strain", {"/material/strain/form": "angle"}),
+]
 
 
-def centre():
-    """The largest stretch of a triangle at the end."""
-    def most(substeps, iterations, effects=(GRAVITY,)):
-        return measured("centre", CENTRE, {"/solver/substeps": substeps, "/solver/iterations": iterations,
-                                           "/effects": list(effects)}, "max_stretch").item()
-    def strain(substeps):
-        return measured("centre", CENTRE, {"/solver/substeps": substeps, "/solver/iterations": 1},
-                        "mean_strain").item()
-    return {"centre_1x10": most(1, 10), "centre_10x1": most(10, 1),
-            "centre_1x10_with_tethers": most(1, 10, (GRAVITY, TETHERS)),
-            "twice_the_substeps": strain(20) / strain(10)}
+def main():
+    warnings.simplefilter("ignore")
+    if "--reasons" in sys.argv:
+        return reasons()
+    failed = False
+    for remedy, scene, metric, changes in TRIALS:
+        before = measured(remedy, scene, metric)
+        after = measured(remedy, changed(scene, changes), metric)
+        helps = after < 0.75 * before
+        failed |= not helps
+        print(f"{remedy}: {metric} {before:.3g} → {after:.3g}", "" if helps else "DOES NOT HELP", flush=True)
+    return 1 if failed else 0
 
 
-def long_steps():
-    """The largest stretch in any frame of sheets in long steps, without and with /solver/flight_limit."""
-    fifteenth = {"/bending/model": "adaptive", "/solver/dt": 1 / 15}
-    second = {"/bending/model": "crossover", "/bending/k": 1, "/mesh/cells": 16, "/solver/dt": 1,
-              "/pins/vertices": ["upper_left", "upper_right"], "/duration": 4}
-    found = {}
-    for name, changes in (("fifteenth", fifteenth), ("second", second)):
-        for limit in (0, 0.25):
-            found[f"steps_of_a_{name}{'_limited' if limit else ''}"] = measured(
-                "long_steps", TORN, changes | {"/solver/flight_limit": limit}, "worst_stretch").item()
-    return found
-
-
-def stretched():
-    return {f"stretched_{form}": measured("stretched", STRETCHED, {"/material/strain/form": form},
-                                          "mean_strain").item() for form in ("normalised", "angle")}
-
-
-def still():
-    """The kinetic energy that a sheet at rest has after half a second, in J."""
-    return {f"still_{sweep}": measured("still", STILL, {"/solver/sweep": sweep}, "kinetic_energy").item()
-            for sweep in ("forward", "symmetric")}
-
-
-def pushed():
-    isometric = {"/bending": {"model": "isometric", "stiffness": "k", "k": 1}}
-    return {name: measured("pushed", PUSHED, changes, "mean_strain").item() for name, changes in (
-        ("pushed", {}), ("pushed_k_tenth", {"/bending/k": 0.1}), ("pushed_isometric", isometric))}
-
-
-def implicit():
-    """The unbalanced force at the end of a step, divided by the force of the effects."""
-    def left(method, iterations, stiffness, **settings):
-        solver = {"method": method, "substeps": 1, "iterations": iterations, **settings}
-        return measured("implicit", STATED, {"/material/strain/compliance": 1 / stiffness, "/solver": solver},
-                        "step_residual").item()
-    return {"newton_3": left("newton", 3, 1e5), "newton_10": left("newton", 10, 1e5),
-            "quasi_newton_auto_10": left("quasi_newton", 10, 1e4, membrane="auto"),
-            "quasi_newton_stated_10": left("quasi_newton", 10, 1e4, membrane="stated"),
-            "quasi_newton_stated_40": left("quasi_newton", 40, 1e4, membrane="stated"),
-            "quasi_newton_auto_2": left("quasi_newton", 2, 1e4, membrane="auto"),
-            "quasi_newton_auto_20": left("quasi_newton", 20, 1e4, membrane="auto")}
-
-
-def lag():
-    """Distances of cloth from its converged motion, in % of its size, by ranges of the unbalanced force."""
-    points = []
-    for stiffness in (1e3, 1e4, 1e5, 1e6):
-        for method, membrane in (("quasi_newton", {"membrane": "stated"}), ("newton", {}), ("vbd", {})):
-            solvers = [{"method": method, "substeps": 1, "iterations": iterations, **membrane}
-                       for iterations in (1, 2, 5, 10, 20, 50)]
-            config = changed(STATED, {"/material/strain/compliance": 1 / stiffness}) | {
-                "accuracy": {"solver": [EXACT], "over_time": True}}
-            table = bl.run(config, sweep={"/solver": solvers}, out=OUT, name="lag")
-            points += zip(np.array(table["step_residual"], float), np.array(table["error_solver_rms"], float))
-    found = {}
-    for low, high in ((2, 5), (5, 20)):
-        errors = [100 * error for residual, error in points if low <= residual < high and np.isfinite(error)]
-        found |= {f"lag_of_{low}_to_{high}_least": min(errors), f"lag_of_{low}_to_{high}_most": max(errors)}
-    return found
-
-
-def ball():
-    """The unbalanced force at the end of a step, divided by the force of the effects, for cloth on a ball."""
-    def left(method, substeps, iterations):
-        return measured("ball", BALL, {"/solver": {"method": method, "substeps": substeps,
-                                                   "iterations": iterations}}, "step_residual").item()
-    return {"ball_quasi_newton_1x10": left("quasi_newton", 1, 10),
-            "ball_quasi_newton_8x30": left("quasi_newton", 8, 30),
-            "ball_newton_1x20": left("newton", 1, 20), "ball_newton_8x20": left("newton", 8, 20)}
+def measured(name, config, metric):
+    return float(bl.run(config, out=OUT, name=re.sub(r"\W+", "_", name))[metric].item())
 
 
 def reasons():
@@ -216,13 +154,5 @@ def reasons():
     print(APART)
 
 
-def header(numbers):
-    lines = "\n".join(f"inline constexpr double {name} = {float(f'{value:.2g}'):g};"
-                      for name, value in numbers.items())
-    return ("// The numbers that warnings and remedies state, measured on small scenes that fail.\n// "
-            "experiments/measure_remedies.py has the scenes, and made this file: do not edit it.\n#pragma "
-            f"once\n\nnamespace bendlab::measured {{\n\n{lines}\n\n}}  // namespace bendlab::measured\n")
-
-
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

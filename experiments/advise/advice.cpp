@@ -59,10 +59,9 @@ class Advisor {
     // The reference of a motion has an error, too. So no setting has more than a quarter of the reference's
     // substeps.
     constexpr int most = 512;
-    Search search(
-        options_.demand, reference.of == ErrorOf::motion ? std::min(most, reference.substeps / 4) : most,
-        [this](const Setting& setting) { return runs_.expected_per_frame(setting); },
-        [this](const std::vector<Setting>& settings) { return run(settings); });
+    Search search(options_.demand,
+                  reference.of == ErrorOf::motion ? std::min(most, reference.substeps / 4) : most,
+                  [this](const std::vector<Setting>& settings) { return run(settings); });
     bool goes_on = reference.tells() && search.run(kinds);
     while (goes_on && choose(search.trials()))
       goes_on = !runs_.over() &&
@@ -130,7 +129,7 @@ class Advisor {
 
   // ---- runs
 
-  // Runs the settings that are expected to end within the time limit. Returns the trials that ended.
+  // Runs the settings that may end within the time limit. Returns the trials that ended.
   std::vector<Trial> run(const std::vector<Setting>& settings) {
     std::vector<Trial> trials;
     if (runs_.over()) return trials;

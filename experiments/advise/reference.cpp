@@ -11,8 +11,9 @@
 namespace bendlab {
 namespace {
 
-constexpr double share_of_reference = 0.25;  // of the time that is left, for a forecast reference
-constexpr double share_of_a_try = 0.4;       // of the time that is left, until a coarser reference is tried
+constexpr double share_of_reference = 0.25;  // of the time that is left, for a finer reference of a motion
+constexpr int coarsest_motion = 64, finest_motion = 1024;  // substeps
+constexpr double share_of_a_try = 0.4;  // of the time that is left, until a coarser reference is tried
 
 class ReferenceChooser {
  public:
@@ -27,44 +28,39 @@ class ReferenceChooser {
   }
 
  private:
-  // Finds the finest reference that can be computed in a share of the time that is left. First, the substeps
-  // of a motion are reduced. Then the number of cells is halved, which hardly changes the errors. With still
-  // fewer cells, the reference would say little about a fine mesh. False if the scene has no reference of
-  // this kind, or if `runs_` has an exit code.
+  // Finds a reference in the time that is left: on the config's mesh or, if that takes too long, on half the
+  // cells, which hardly changes the errors. With still fewer cells, the reference would say little about a
+  // fine mesh. False if the scene has no reference of this kind, or if `runs_` has an exit code.
   bool find_reference(ErrorOf of) {
     const int half = of == ErrorOf::own ? 0 : question_.cells_that_may_vary() / 2;
     const std::vector<int> meshes = half >= fewest_cells ? std::vector{0, half} : std::vector{0};
-    const std::vector<int> motions =
-        of == ErrorOf::motion ? std::vector{1024, 512, 256, 128, 64} : std::vector{0};
-    double expected_s = 0;
-    bool too_slow = false;
-    for (const int cells : meshes)
-      for (const int substeps : motions) {
-        static_cast<Reference&>(known_) = {.of = of, .cells = cells, .substeps = substeps};
-        expected_s = expected();
-        if (of != ErrorOf::own && expected_s > share_of_reference * runs_.left_s()) continue;
-        const std::optional<bool> exists =
-            of == ErrorOf::rest ? try_equilibrium(cells != meshes.back()) : try_motion();
-        if (exists || runs_.exit_code() != 0) return exists.value_or(false);
-        too_slow = true;
-        break;
-      }
-    throw std::runtime_error(fmt::format(
-        "no advice is possible within --time-limit ({:.3g} s): even the coarsest reference {}. Give "
-        "--time-limit {:.0f}s; the command then continues from the runs that are done",
-        limit_s_, too_slow ? "takes too long" : "is expected to take " + duration_text(expected_s),
-        std::ceil(too_slow ? 4 * limit_s_ : 1.5 * expected_s / share_of_reference)));
+    for (const int cells : meshes) {
+      const bool motion = of == ErrorOf::motion;
+      static_cast<Reference&>(known_) = {.of = of, .cells = cells, .substeps = motion ? coarsest_motion : 0};
+      const std::optional<bool> exists =
+          of == ErrorOf::rest ? try_equilibrium(cells != meshes.back()) : try_motion();
+      if (motion && exists == true) refine_motion();
+      if (exists || runs_.exit_code() != 0) return exists.value_or(false);
+    }
+    throw std::runtime_error(
+        fmt::format("no advice is possible within --time-limit ({:.3g} s): even the coarsest reference takes "
+                    "too long. Give --time-limit {:.0f}s; the command then continues from the runs that are "
+                    "done",
+                    limit_s_, std::ceil(4 * limit_s_)));
   }
 
-  // The expected CPU seconds of the reference, and of the coarser reference for the reference's own error.
-  double expected() const {
-    const RunConfig config =
-        question_.experiment_with(question_.own_setting(), question_.accuracy(known_)).runs.front();
-    double seconds = 0;
-    for (const bool coarser : {false, true})
-      if (const auto reference = reference_of(config, Against::physical, coarser))
-        seconds += expected_cpu_s(*reference);
-    return seconds;
+  // Replaces the reference of a motion by the finest one that should take at most a share of the time that is
+  // left. The time of the coarsest reference says how long the others take: n times the substeps take at most
+  // n times as long, and a reference with half the substeps is computed for the reference's own error.
+  void refine_motion() {
+    const KnownReference coarsest = known_;
+    const auto time_of = [&](int substeps) { return 1.5 * coarsest.cpu_s * substeps / coarsest_motion; };
+    int substeps = finest_motion;
+    while (substeps > coarsest_motion && time_of(substeps) > share_of_reference * runs_.left_s())
+      substeps /= 2;
+    if (substeps == coarsest_motion) return;
+    known_.substeps = substeps;
+    if (!try_motion()) known_ = coarsest;
   }
 
   // Searches an equilibrium from the end of a run, and an equilibrium from the start of the run. If the two
@@ -139,6 +135,7 @@ class ReferenceChooser {
     known_.still_moving = known_.of == ErrorOf::rest ? probe.speed : 0;
     const Trial reference = runs_.reference_of(probe.setting, known_.accuracy);
     known_.strain = reference.strain, known_.stretch = reference.stretch;
+    known_.cpu_s = reference.cpu_s;
   }
 
   const Question& question_;

@@ -17,6 +17,7 @@ struct KnownReference : Reference {
   std::optional<double> gap{};  ///< the reference's own error, in sizes of the mesh
   double strain = 0;            ///< rms of its Green strain: the stated membrane may stretch
   double stretch = 1;           ///< largest stretch of a triangle
+  double cpu_s = 0;             ///< CPU time that it took
   double still_moving = 0;      ///< for errors at rest: the cloth's rms speed at the end, sizes per second
   Setting probe{};              ///< the setting that was compared with it first
 
@@ -25,10 +26,10 @@ struct KnownReference : Reference {
   bool tells() const { return strain <= largest_reference_strain && gap.value_or(0) <= largest_error; }
 };
 
-/// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a
-/// coarser reference if the finest is expected to take more than a quarter of the time, or if its run takes
-/// too long. Throws std::runtime_error if there is no reference, or no reference in time. If `runs` has an
-/// exit code, the result is incomplete.
+/// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a coarser
+/// reference if a finer one takes too long, by its own run or by that of the coarsest. Throws
+/// std::runtime_error if there is no reference, or no reference in time. If `runs` has an exit code, the result
+/// is incomplete.
 KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of);
 
 }  // namespace bendlab

@@ -120,6 +120,7 @@ std::vector<Trial> Runs::execute(const std::vector<Setting>& settings, const Jso
     if (runs[i].exit_code == exit_io || runs[i].exit_code == exit_mesh) exit_code_ = runs[i].exit_code;
     if (trials[i].unfinished || trials[i].failed) return;
     computed_ += !runs[i].outcome->reused;
+    if (is_whole(runs[i].outcome->status)) times_.add(*runs[i].config, runs[i].outcome->cpu_s);
     const auto& summary = runs[i].outcome->summary;
     if (const auto gap = summary.find("error_physical_reference_gap"); gap != summary.end())
       gap_ = gap->second;
@@ -133,14 +134,9 @@ std::vector<Trial> Runs::execute(const std::vector<Setting>& settings, const Jso
 bool Runs::in_time(const Setting& setting, const Json& accuracy, double times) const {
   const Experiment experiment = question_.experiment_with(setting, accuracy, times);
   const RunConfig& config = experiment.runs.front();
-  return expected_cpu_s(config) < left_s() ||
+  const std::optional<RunTimes::Expected> time = times_.expected(config);
+  return !time || time->cpu_s < left_s() ||
          std::filesystem::exists(run_folder(campaign_.out, experiment, config) / "run.vtkhdf");
-}
-
-double Runs::expected_per_frame(const Setting& setting) const {
-  const RunConfig config = question_.experiment_with(setting, Json::object()).runs.front();
-  const std::optional<Forecast> needs = forecast(config);
-  return needs ? (needs->cpu_s - needs->set_up_s) / config.scene().duration / frames_per_second : 0;
 }
 
 Trial Runs::reference_of(const Setting& setting, const Json& accuracy) const {
@@ -154,7 +150,9 @@ Trial Runs::reference_of(const Setting& setting, const Json& accuracy) const {
   of_references.name = "references";
   const std::filesystem::path file =
       run_folder(campaign_.out / question_.name(), of_references, *reference) / "run.vtkhdf";
-  if (std::filesystem::exists(file)) read_state(file, *reference, compared.over_time, trial);
+  if (!std::filesystem::exists(file)) return trial;
+  read_state(file, *reference, compared.over_time, trial);
+  trial.cpu_s = read_run(file).cpu_s;
   return trial;
 }
 

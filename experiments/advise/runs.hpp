@@ -7,6 +7,7 @@
 
 #include "experiments/advise/question.hpp"
 #include "experiments/campaign/campaign.hpp"
+#include "experiments/campaign/run_times.hpp"
 
 namespace bendlab {
 
@@ -27,20 +28,18 @@ class Runs {
   /// The reference's own error, in sizes of the mesh, if a run's summary has it.
   std::optional<double> reference_gap() const { return gap_; }
 
-  /// Runs the scene with each setting, several runs at a time; /duration is multiplied by `times`. Runs that
-  /// are expected to be short come first. Stops runs that take longer than `seconds`, or than the time limit.
+  /// Runs the scene with each setting, several runs at a time; /duration is multiplied by `times`. Runs with
+  /// little work (crude_work()) come first. Stops runs that take longer than `seconds`, or than the time limit.
   /// Strain and stretch of a trial are those of its run; the caller compares them with the reference. If
   /// exit_code() is not 0, all trials are unfinished.
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 
-  /// Whether a run's file exists, or the run is expected to end in time.
+  /// Whether a run may end in time: its file exists, or the finished runs do not speak against it.
   bool in_time(const Setting& setting, const Json& accuracy, double times = 1) const;
 
-  /// CPU seconds per frame that a setting is expected to take; 0 if there is no forecast.
-  double expected_per_frame(const Setting& setting) const;
-
-  /// Strain and stretch of the reference that a run was compared with; 0 and 1 if the reference has no file.
+  /// Strain and stretch of the reference that a run was compared with, and the CPU time that it took in all;
+  /// 0 and 1 if the reference has no file.
   Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:
@@ -50,6 +49,7 @@ class Runs {
   double end_s_;
   int exit_code_ = 0, computed_ = 0;
   std::optional<double> gap_;
+  RunTimes times_;  // of the runs that are finished
 };
 
 }  // namespace bendlab

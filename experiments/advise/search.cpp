@@ -20,11 +20,8 @@ double work_of(const Setting& setting) {
 
 }  // namespace
 
-Search::Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run)
-    : demand_(demand),
-      most_substeps_(most_substeps),
-      expected_cpu_s_(std::move(expected_cpu_s)),
-      run_(std::move(run)) {
+Search::Search(const Demand& demand, int most_substeps, Run run)
+    : demand_(demand), most_substeps_(most_substeps), run_(std::move(run)) {
   if (demand_.error) demand_.error = std::min(*demand_.error, largest_error);
 }
 
@@ -44,9 +41,7 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   }
 }
 
-// Adds a kind, and chooses the work of the kind's first run. For a demanded time, this is the most work that
-// is expected to fit into the time. For a demanded error, which cannot be forecast, this is the median work
-// in `kind`.
+// Adds a kind. Its first run has the median of the amounts of work in `kind`.
 void Search::add(const SettingKind& kind) {
   if (std::ranges::any_of(known_, [&](const Setting& known) { return same_kind(known, kind.setting); }))
     return;
@@ -60,9 +55,7 @@ void Search::add(const SettingKind& kind) {
     most_iterations = std::max(most_iterations, further * iterations);
   }
   std::ranges::stable_sort(by_work, {}, work_of);
-  std::size_t start = demand_.error ? by_work.size() / 2 : by_work.size() - 1;
-  while (demand_.cpu_s && start > 0 && expected_cpu_s_(by_work[start]) > *demand_.cpu_s) --start;
-  kinds_.push_back({by_work[start], most_iterations});
+  kinds_.push_back({by_work[by_work.size() / 2], most_iterations});
 }
 
 // The settings of the next round: one for each kind of the better half, and one for each kind that was not

@@ -18,14 +18,12 @@ namespace bendlab {
 
 class Search {
  public:
-  /// CPU seconds per frame that a setting is expected to take; 0 if there is no forecast.
-  using ExpectedCpu = std::function<double(const Setting&)>;
   /// Runs settings, and returns the trials of settings that could be run. If no setting could be run, the
   /// search ends.
   using Run = std::function<std::vector<Trial>(const std::vector<Setting>&)>;
 
   /// No setting has more than `most_substeps`.
-  Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run);
+  Search(const Demand& demand, int most_substeps, Run run);
 
   /// Adds new kinds, and runs settings until no further run would help. False if no setting was run.
   bool run(const std::vector<SettingKind>& kinds);
@@ -50,7 +48,6 @@ class Search {
 
   Demand demand_;
   int most_substeps_;
-  ExpectedCpu expected_cpu_s_;
   Run run_;
   std::vector<Setting> known_;    // a setting of each kind that was ever added
   std::vector<Candidate> kinds_;  // the most promising first

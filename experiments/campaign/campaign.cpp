@@ -128,12 +128,12 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
   }
 }
 
-// The order in which runs begin: the longest first, or the shortest first.
-std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first) {
-  std::vector<std::size_t> order(costs.size());
+// The order in which runs begin: the most work first, or the least work first.
+std::vector<std::size_t> order_of(const std::vector<double>& works, bool short_first) {
+  std::vector<std::size_t> order(works.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
-                   [&](auto a, auto b) { return short_first ? costs[a] < costs[b] : costs[a] > costs[b]; });
+                   [&](auto a, auto b) { return short_first ? works[a] < works[b] : works[a] > works[b]; });
   return order;
 }
 
@@ -184,17 +184,6 @@ class Queue {
 
 }  // namespace
 
-double expected_cpu_s(const RunConfig& config) {
-  constexpr double unknown = 1;  // s, for a run that cannot be built
-  const std::optional<Forecast> needs = forecast(config);
-  return needs ? needs->cpu_s : unknown;
-}
-
-void Needs::add(const Forecast& run) {
-  cpu_s += run.cpu_s, disk_bytes += run.disk_bytes;
-  most_memory_bytes = std::max(most_memory_bytes, run.memory_bytes);
-}
-
 Shard shard_of(const std::string& text) {
   Shard shard;
   int read = 0;
@@ -226,12 +215,12 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   keep_changes(options.out);
   const std::atomic<bool>& stop = options.stop ? *options.stop : stop_flag();
   const std::vector<std::size_t> executed_as = first_of_equals(runs);
-  std::vector<double> costs;
+  std::vector<double> works;
   for (std::size_t i = 0; i < runs.size(); ++i)
-    costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
+    works.push_back(executed_as[i] == i ? crude_work(*runs[i].config) : 0.0);
   MemoryBudget memory;
-  Progress progress(costs);
-  Queue queue(order_of(costs, options.short_first));
+  Progress progress(works);
+  Queue queue(order_of(works, options.short_first));
   std::mutex mutex;  // guards what follows
   std::set<std::pair<const Experiment*, std::string>> printed;
   std::vector<bool> over(runs.size(), false);
@@ -281,7 +270,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
                     fmt::format("{}: waiting for a reference, which another process is computing",
                                 run_text(runs[index])));
               }};
-      const std::optional<Forecast> needs = forecast(*runs[index].config);
+      const std::optional<Needs> needs = needs_of(*runs[index].config);
       const MemoryBudget::Reservation reservation(memory, needs ? std::round(needs->memory_bytes) : 0.0);
       if (!stop) execute(runs[index], options, control);
       if (runs[index].outcome && runs[index].outcome->left) {

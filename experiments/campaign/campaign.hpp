@@ -10,7 +10,7 @@
 
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/run_control.hpp"
 #include "experiments/run/run_outcome.hpp"
 
@@ -45,7 +45,7 @@ Shard shard_of(const std::string& text);
 struct CampaignOptions {
   std::filesystem::path out = "results";
   int jobs = 0;              ///< runs at a time; 0: number of cores / threads per run
-  bool short_first = false;  ///< begin with the shortest runs (by forecast) instead of the longest
+  bool short_first = false;  ///< begin with the least work instead of the most (crude_work())
   bool force = false;        ///< compute complete runs again
   bool minimal = false;      ///< leave out effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
@@ -53,29 +53,18 @@ struct CampaignOptions {
   const std::atomic<bool>* stop = nullptr;  ///< true stops the campaign, as a signal does; null: stop_flag()
 };
 
-/// CPU time that a run is expected to take, s (forecast.hpp).
-double expected_cpu_s(const RunConfig& config);
-
 /// The text in a run's folder that says why the run failed, or "".
 std::string failure_in(const std::filesystem::path& folder);
 
 /// The runs of all experiments that belong to the shard, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments, Shard shard = {});
 
-/// Time, disk space and memory that several runs need.
-struct Needs {
-  double cpu_s = 0, disk_bytes = 0;
-  double most_memory_bytes = 0;  ///< memory of the largest run
-
-  void add(const Forecast& run);
-};
-
-/// Computes the runs, the longest first, as many at a time as fit into memory. Runs that another process is
-/// computing are put off until the end: then this process waits until they are over, and computes those whose
-/// owner has died. A run that fails does not stop the others; the reason is written into the run's folder.
-/// `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
-/// soon as this run and all runs before it are over. After a stop signal each current run ends with its next
-/// frame, and no further run begins.
+/// Computes the runs, those with the most work first, as many at a time as fit into memory. Runs that another
+/// process is computing are put off until the end: then this process waits until they are over, and computes
+/// those whose owner has died. A run that fails does not stop the others; the reason is written into the run's
+/// folder. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as soon as
+/// this run and all runs before it are over. After a stop signal each current run ends with its next frame, and
+/// no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready);
 

@@ -8,7 +8,7 @@
 #include "experiments/cli/find_run.hpp"
 #include "experiments/export/format.hpp"
 #include "experiments/run/errors.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 

@@ -10,6 +10,7 @@
 #include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/run/errors.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/set_up.hpp"
 #include "experiments/terminal/printable.hpp"
 
@@ -20,16 +21,19 @@ using Clock = std::chrono::steady_clock;
 
 struct ToBuild {
   const RunConfig* config;
-  double expected_s;
+  double memory_bytes;
 };
 
-// One run for each scene that runs have in common. The run that is built fastest comes first.
+// One run for each scene that runs have in common. The run that needs the least memory comes first.
 std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
   std::vector<ToBuild> distinct;
   std::set<std::string> seen;
   for (const RunConfig& config : experiment.runs)
-    if (seen.insert(text_of_set_up(config)).second) distinct.push_back({&config, expected_set_up_s(config)});
-  std::ranges::stable_sort(distinct, {}, &ToBuild::expected_s);
+    if (seen.insert(text_of_set_up(config)).second) {
+      const std::optional<Needs> needs = needs_of(config);
+      distinct.push_back({&config, needs ? needs->memory_bytes : 0});  // 0: refused at once
+    }
+  std::ranges::stable_sort(distinct, {}, &ToBuild::memory_bytes);
   return distinct;
 }
 
@@ -65,7 +69,7 @@ void tell_warnings(std::span<const CampaignRun> runs) {
 }
 
 KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
-  constexpr double most_s = 10;
+  constexpr double most_s = 10, most_bytes = 5e8;  // a scene of 500 MB takes seconds to build
   const Clock::time_point begin = Clock::now();
   KnownBefore known;
   for (const Experiment& experiment : experiments) {
@@ -75,10 +79,14 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
     std::size_t tried = 0;
     for (const ToBuild& next : distinct) {
       const double passed_s = std::chrono::duration<double>(Clock::now() - begin).count();
-      if (!all && passed_s + next.expected_s > most_s) break;
-      ++tried;
+      const bool builds = all || (passed_s < most_s && next.memory_bytes < most_bytes);
+      tried += builds;
       CampaignRun run{.experiment = &experiment, .config = next.config};
       try {
+        if (!builds) {
+          require_memory(*next.config);
+          continue;
+        }
         run.outcome = RunOutcome{.warnings = set_up(experiment, *next.config)};
         built.push_back(std::move(run));
       } catch (...) {
@@ -91,9 +99,10 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
     known.warnings += collected_warnings(built).size();
     if (tried < distinct.size())
       print_text(stderr,
-                 "bendlab: {}: {} of {} checked, because the check of all scenes would take longer than "
-                 "{:.0f} s; --strict checks all scenes\n",
-                 experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
+                 "bendlab: {}: {} of {} checked, without scenes of more than {}, and for {:.0f} s at most; "
+                 "--strict checks all scenes\n",
+                 experiment.name, tried, counted(distinct.size(), "different scene"), bytes_text(most_bytes),
+                 most_s);
   }
   return known;
 }

@@ -17,9 +17,10 @@ struct KnownBefore {
   int exit_code = 0;  ///< of the first run that cannot be built; 0 if every run can
 };
 
-/// Builds the scene of each run (set_up.hpp), only once for runs with the same scene, and the fastest first.
-/// Prints warnings, and why runs cannot be built, each text once per experiment. Stops after ten seconds and
-/// prints how many scenes were built; with `all`, builds every scene.
+/// Builds the scene of each run (set_up.hpp), only once for runs with the same scene, and the smallest first.
+/// Prints warnings, and why runs cannot be built, each text once per experiment. Leaves out
+/// scenes of more than 500 MB, begins no scene after ten seconds, and prints how many scenes were built; with
+/// `all`, builds every scene.
 KnownBefore look_before(const std::vector<Experiment>& experiments, bool all);
 
 }  // namespace bendlab

@@ -12,6 +12,7 @@
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/campaign/run_times.hpp"
 #include "experiments/campaign/runs_on_disk.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/collected_texts.hpp"
@@ -20,7 +21,7 @@
 #include "experiments/cli/shared_options.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/run/errors.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/run_id.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -41,22 +42,32 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// The needs of runs: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".
-std::string needs_text(const Needs& needs) {
-  return fmt::format("about {} of CPU time, up to {} of memory for a run, {} of disk",
-                     duration_text(needs.cpu_s), bytes_text(needs.most_memory_bytes),
-                     bytes_text(needs.disk_bytes));
-}
+/// Memory and disk space of several runs.
+class TotalNeeds {
+ public:
+  void add(const Needs& run) {
+    most_memory_bytes_ = std::max(most_memory_bytes_, run.memory_bytes);
+    disk_bytes_ += run.disk_bytes;
+  }
+  bool are_large() const { return std::max(most_memory_bytes_, disk_bytes_) >= 1e9; }
+  /// "up to 1.2 GB of memory for a run, 400 MB of disk"
+  std::string text() const {
+    return fmt::format("up to {} of memory for a run, {} of disk", bytes_text(most_memory_bytes_),
+                       bytes_text(disk_bytes_));
+  }
+
+ private:
+  double most_memory_bytes_ = 0, disk_bytes_ = 0;
+};
 
 /// Prints the needs of the runs on stderr, if the needs are large. (`plan` always prints them.)
 void print_large_needs(const std::vector<CampaignRun>& runs) {
-  constexpr double long_s = 60, large_bytes = 1e9;
-  Needs needs;
+  TotalNeeds total;
   for (const CampaignRun& run : runs)
-    if (const std::optional<Forecast> of_run = forecast(*run.config)) needs.add(*of_run);
-  if (needs.cpu_s < long_s && needs.most_memory_bytes < large_bytes && needs.disk_bytes < large_bytes) return;
-  print_text(stderr, "bendlab: {}: {}, if no run is complete yet\n", counted(runs.size(), "run"),
-             needs_text(needs));
+    if (const std::optional<Needs> needs = needs_of(*run.config)) total.add(*needs);
+  if (total.are_large())
+    print_text(stderr, "bendlab: {}: {}, if no run is complete yet\n", counted(runs.size(), "run"),
+               total.text());
 }
 
 }  // namespace
@@ -129,8 +140,11 @@ struct KnownRun {
   std::string id;
   fs::path folder;
   RunState state;
-  std::optional<Forecast> needs;
-  double took_s = 0;  ///< CPU time that the run took; 0: the run is not complete
+  std::optional<Needs> needs;
+  double took_s = 0;                       ///< CPU time that the run took; 0: the run is not complete
+  std::optional<RunTimes::Expected> time;  ///< of a run that is not complete
+
+  bool over() const { return took_s > 0; }
 };
 
 std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path& out) {
@@ -138,19 +152,18 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
   std::vector<KnownRun> known(experiment.runs.size());
   in_parallel(known.size(), 200, [&](std::size_t i) {
     const RunConfig& config = experiment.runs[i];
-    auto& [id, folder, state, needs, took_s] = known[i];
+    auto& [id, folder, state, needs, took_s, time] = known[i];
     id = run_id(config);
     folder = run_folder(out, experiment, config, id);
     state = on_disk.state_of(folder, id);
     if (state.kind == RunState::Kind::over && is_whole(state.record.status)) took_s = state.record.cpu_s;
-    needs = forecast(config);
+    needs = needs_of(config);
   });
-  // Multiplies the forecast times by the ratio of measured to forecast time of the complete runs.
-  double measured_s = 0, forecast_s = 0;
-  for (const KnownRun& run : known)
-    if (run.took_s > 0 && run.needs) measured_s += run.took_s, forecast_s += run.needs->cpu_s;
-  for (KnownRun& run : known)
-    if (measured_s > 0 && run.needs) run.needs->cpu_s *= measured_s / forecast_s;
+  RunTimes times;
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (known[i].over()) times.add(experiment.runs[i], known[i].took_s);
+  for (std::size_t i = 0; i < known.size(); ++i)
+    if (!known[i].over()) known[i].time = times.expected(experiment.runs[i]);
   return known;
 }
 
@@ -160,10 +173,24 @@ Json known_run_json(const Experiment& experiment, const RunConfig& config, const
       {"state", text_of(run.state)},   {"folder", run.folder.string()}, {"config", config.resolved()}};
   if (!run.state.reason.empty()) line["reason"] = run.state.reason;
   if (run.needs)
-    line["needs"] = {{"cpu_s", run.needs->cpu_s},
-                     {"memory_bytes", run.needs->memory_bytes},
-                     {"disk_bytes", run.needs->disk_bytes}};
+    line["needs"] = {{"memory_bytes", run.needs->memory_bytes}, {"disk_bytes", run.needs->disk_bytes}};
+  if (run.time) line["expected"] = {{"cpu_s", run.time->cpu_s}, {"finished_runs", run.time->finished}};
   return line;
+}
+
+/// The CPU time of the runs that are left, as far as finished runs tell it.
+std::string time_text(const std::vector<KnownRun>& runs) {
+  double cpu_s = 0;
+  std::size_t left = 0, told = 0;
+  for (const KnownRun& run : runs) {
+    left += !run.over();
+    if (run.time) cpu_s += run.time->cpu_s, ++told;
+  }
+  if (told == 0) return "CPU time unknown until a run is finished";
+  const std::string by = "by the finished runs";
+  return told == left ? fmt::format("about {} of CPU time {}", duration_text(cpu_s), by)
+                      : fmt::format("about {} of CPU time {} for {} of {}", duration_text(cpu_s), by, told,
+                                    counted(left, "run"));
 }
 
 /// A few lines about a cover: the number of combinations of values in its runs, and the missing combinations.
@@ -232,33 +259,33 @@ int PlanCommand::run() {
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"id", "state", "CPU time", "memory", "disk"});
     Table table(headings);
-    std::size_t whole = 0;
+    std::size_t over = 0;
     std::map<std::string, std::size_t> count;  // of runs, by state
     std::string reasons;
-    Needs left;
+    TotalNeeds left;
     for (std::size_t i = 0; i < known.size(); ++i) {
-      const auto& [id, folder, state, needs, took_s] = known[i];
-      ++count[name_of(state)];
-      if (state.kind == RunState::Kind::over && is_whole(state.record.status))
-        ++whole;
-      else if (needs)
-        left.add(*needs);
-      if (!state.reason.empty())
-        reasons += fmt::format("failed: {}: {}\n", run_text(experiment, experiment.runs[i]), state.reason);
+      const KnownRun& run = known[i];
+      ++count[name_of(run.state)];
+      over += run.over();
+      if (!run.over() && run.needs) left.add(*run.needs);
+      if (!run.state.reason.empty())
+        reasons += fmt::format("failed: {}: {}\n", run_text(experiment, experiment.runs[i]), run.state.reason);
       std::vector<std::string> cells = axis_cells(experiment, experiment.runs[i]);
-      cells.insert(cells.end(), {id, text_of(state)});
-      if (needs)
-        cells.insert(cells.end(), {duration_text(needs->cpu_s), bytes_text(needs->memory_bytes),
-                                   bytes_text(needs->disk_bytes)});
-      else
-        cells.insert(cells.end(), 3, "-");
+      cells.insert(cells.end(), {run.id, text_of(run.state),
+                                 run.over() ? duration_text(run.took_s)
+                                 : run.time ? fmt::format("about {} (by {})", duration_text(run.time->cpu_s),
+                                                          counted(run.time->finished, "run"))
+                                            : "-",
+                                 run.needs ? bytes_text(run.needs->memory_bytes) : "-",
+                                 run.needs ? bytes_text(run.needs->disk_bytes) : "-"});
       table.add_row(std::move(cells));
     }
     std::vector<std::string> counts;
     for (const auto& [name, runs] : count) counts.push_back(fmt::format("{} {}", runs, name));
     print_text("{}: {}, {}; {}\n{}\n{}{}\n", experiment.name, counted(known.size(), "run"),
                fmt::join(counts, ", "),
-               whole == known.size() ? "no run is left to compute" : "left to compute: " + needs_text(left),
+               over == known.size() ? "no run is left to compute"
+                                    : fmt::format("left to compute: {}, {}", time_text(known), left.text()),
                cover_text(experiment.cover), table.text(), reasons);
   }
   return exit_ok;
@@ -294,7 +321,7 @@ extern const CommandKind run_command{
     "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try", make<RunCommand>};
 extern const CommandKind plan_command{
     "plan",
-    "List the runs of the configs: swept values, id, state, and the time, memory and disk that a run needs",
+    "List the runs of the configs: swept values, id, state, memory and disk, and the time by finished runs",
     "bendlab plan configs/plain/first.json", make<PlanCommand>};
 extern const CommandKind validate_command{"validate", "Check configs and report every problem",
                                           "bendlab validate configs/recommended.json", make<ValidateCommand>};

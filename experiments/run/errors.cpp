@@ -7,7 +7,7 @@
 #include "bendlab/mesh/files.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/scene/strict_json.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 
 namespace bendlab {
 

@@ -3,7 +3,7 @@
 #include "bendlab/scene/start_after.hpp"
 #include "experiments/config/references.hpp"
 #include "experiments/config/run_json.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/needs.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/warnings.hpp"
 
@@ -39,13 +39,6 @@ std::string text_of_set_up(const RunConfig& config) {
   settings.accuracy = {}, settings.quality = {};
   settings.scene.initial.seed = Initial{}.seed, settings.scene.mesh.seed = Mesh{}.seed;
   return to_json(settings).dump();
-}
-
-double expected_set_up_s(const RunConfig& config) {
-  const std::optional<Forecast> needs = forecast(config);
-  double seconds = needs ? needs->set_up_s : 0;  // a mesh that cannot be made is refused at once
-  if (const std::optional<RunConfig> before = run_before(config)) seconds += expected_set_up_s(*before);
-  return seconds;
 }
 
 }  // namespace bendlab

@@ -17,7 +17,4 @@ std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& confi
 /// The settings that set_up() depends on, as text: set_up() does the same for runs with the same text.
 std::string text_of_set_up(const RunConfig& config);
 
-/// CPU seconds that set_up() is expected to take (forecast.hpp).
-double expected_set_up_s(const RunConfig& config);
-
 }  // namespace bendlab

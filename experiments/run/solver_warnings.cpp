@@ -13,10 +13,10 @@
 #include "bendlab/scene/membrane.hpp"
 #include "bendlab/scene/precision.hpp"
 #include "bendlab/solver/coarse_levels.hpp"
-#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
+#include "experiments/run/remedies.hpp"
 
 namespace bendlab {
 
@@ -36,25 +36,6 @@ constexpr double unconverged_strain = 0.05;
 // iterations, and hangs too far by a tenth of its size. With 10 × 1, the stretch is 1.10.
 constexpr double unconverged_stretch = 1.25;
 
-std::string remedy_of_unconverged(const WarningInput& input) {
-  const SolverSettings& solver = input.scene.input.settings;
-  std::string remedy = solver.iterations > 1
-                           ? fmt::format(
-                                 "{} × 1 iteration make as many projections and leave less stretch: on a "
-                                 "sheet pinned at its centre, a triangle was {:.3g} times as long as at rest "
-                                 "with 10 × 1, and {:.3g} times with 1 × 10",
-                                 counted(solver.substeps * solver.iterations, "/solver/substep"),
-                                 measured::centre_10x1, measured::centre_1x10)
-                           : fmt::format("Twice the /solver/substeps leave about {:.2g} times the strain",
-                                         measured::twice_the_substeps);
-  const bool tethered = std::ranges::any_of(
-      input.scene.effects, [](const Effect& effect) { return effect.kind().helps_projection; });
-  if (!tethered && !input.scene.pins.all.empty())
-    remedy += fmt::format(". With the effect tethers and 1 × 10, the triangle was {:.3g} times as long",
-                          measured::centre_1x10_with_tethers);
-  return remedy;
-}
-
 }  // namespace
 
 Message unconverged(const WarningInput& input) {
@@ -73,9 +54,10 @@ Message unconverged(const WarningInput& input) {
     return std::nullopt;
   return WarningText(
       fmt::format("the membrane should not stretch, but its mean strain is {:.2g} and a triangle is {:.3g} "
-                  "times as long as at rest: {} × {} do not converge. {}",
+                  "times as long as at rest: {} × {} do not converge. In tests, this helped: {}",
                   mean, most, counted(input.scene.input.settings.substeps, "substep"),
-                  counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input)),
+                  counted(input.scene.input.settings.iterations, "iteration"),
+                  remedies_for("unconverged", input.scene)),
       most, fmt::format("{:.3g} times", most));
 }
 
@@ -130,7 +112,7 @@ bool stretches_unmeasured(const std::map<std::string, double>& summary) {
 
 }  // namespace
 
-// A forecast. After a run, soft_solver states the measured stiffness.
+// Before a run. After the run, soft_solver states the measured stiffness.
 Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
@@ -271,8 +253,7 @@ namespace {
 // How far sheets lag behind the converged motion, in sizes of the sheet (RMS over vertices, mean over time),
 // depending on the mean step_residual over time. The median would hide the lag, because newton leaves no
 // residual once the cloth rests. Measured for 2 s, on sheets of 16 cells with hinges, under gravity, pinned
-// at two corners or at the top, with a membrane stiffness of 10³ to 10⁷ N/m and 1 to 100 iterations. The
-// message states the ranges of fewer and newer trials, in experiments/measure_remedies.py.
+// at two corners or at the top, with a membrane stiffness of 10³ to 10⁷ N/m and 1 to 100 iterations.
 //
 //   step_residual   below 0.5     0.5 to 2      2 to 5        5 to 20       20 to 100   more
 //   newton          0-0.0003      0.001-0.046   none          0.025-0.051   0.03-0.07   0.05-0.49
@@ -286,14 +267,6 @@ double most_residual(const WarningInput& input) {
   return has_obstacle(input.scene) ? method.residual_of_lag_on_obstacle : method.residual_of_lag;
 }
 
-std::string remedy_of_lagging(const WarningInput& input) {
-  const Method& method = input.scene.input.method;
-  if (method.kind().remedy_of_lag == nullptr)
-    return "More /solver/iterations help, and the method quasi_newton needs fewer iterations";
-  return method.kind().remedy_of_lag(method.settings(), {.touches = has_obstacle(input.scene),
-                                                         .has_strain = input.scene.input.strain.size() > 0});
-}
-
 }  // namespace
 
 Message lagging(const WarningInput& input) {
@@ -303,16 +276,14 @@ Message lagging(const WarningInput& input) {
   return WarningText(
       fmt::format(
           "the forces that steps leave unbalanced are {:.2g} times the forces of the effects (without "
-          "effects: of inertia): {} × {} do not converge, and the cloth lags behind the exact motion{}. {}",
+          "effects: of inertia): {} × {} do not converge, and the cloth lags behind the exact motion{}. In "
+          "tests, this helped: {}",
           found->second, counted(scene.settings.substeps, "substep"),
           counted(scene.settings.iterations, "iteration"),
           found->second > scene.method.kind().residual_of_lag
-              ? fmt::format(". In tests the cloth lagged by {:.2g} to {:.2g} % of its size if the unbalanced "
-                            "forces were 2 to 5 times as large, and by {:.2g} to {:.2g} % if 5 to 20 times",
-                            measured::lag_of_2_to_5_least, measured::lag_of_2_to_5_most,
-                            measured::lag_of_5_to_20_least, measured::lag_of_5_to_20_most)
+              ? ", in tests by up to half of its size"
               : ". Cloth that friction moves then stops too early, or slides too far",
-          remedy_of_lagging(input)),
+          remedies_for("lagging", input.scene)),
       found->second, fmt::format("{:.2g} times", found->second));
 }
 

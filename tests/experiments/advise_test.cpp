@@ -76,8 +76,7 @@ struct Imaginary {
 
   // The trials of the search, with at most 512 substeps.
   std::vector<Trial> search(const Demand& demand, const std::vector<int>& substeps) {
-    const auto expected_cpu_s = [this](const Setting& s) { return trial_of(s).cpu_s; };
-    Search search(demand, 512, expected_cpu_s, [this](const std::vector<Setting>& settings) {
+    Search search(demand, 512, [this](const std::vector<Setting>& settings) {
       rounds.push_back(settings.size());
       REQUIRE(rounds.size() < 100);
       std::vector<Trial> trials;
@@ -305,7 +304,6 @@ TEST_CASE("advise: every round keeps half of the kinds, until three are left", "
 }
 
 TEST_CASE("advise: a kind starts with suitable work and is considered only once", "[advise]") {
-  const auto expected_cpu_s = [](const Setting& setting) { return 1e-3 * setting.substeps; };
   std::vector<Setting> asked;
   const auto run = [&](const std::vector<Setting>& settings) {
     asked.insert(asked.end(), settings.begin(), settings.end());
@@ -314,17 +312,13 @@ TEST_CASE("advise: a kind starts with suitable work and is considered only once"
   const SettingKind kind{{"a", "pbd"}, {{64, 1}, {1, 1}, {4, 1}, {16, 1}}};
   SettingKind multilevel = kind, coarse = kind;
   multilevel.setting.solver = R"({"levels":12})", coarse.setting.cells = 12;
-  Search by_error({.error = 0.05}, 512, expected_cpu_s, run);
-  CHECK_FALSE(by_error.run({kind, kind}));
+  Search search({.error = 0.05}, 512, run);
+  CHECK_FALSE(search.run({kind, kind}));
   CHECK(asked == std::vector<Setting>{{"a", "pbd", "{}", 16}});  // the middle of its amounts of work
-  CHECK_FALSE(by_error.run({kind}));
+  CHECK_FALSE(search.run({kind}));
   CHECK(asked.size() == 1);
-  by_error.run({multilevel, coarse});
+  search.run({multilevel, coarse});
   CHECK(asked.size() == 3);
-  Search by_time({.cpu_s = 0.005}, 512, expected_cpu_s, run);
-  by_time.run({kind, {{"b", "pbd"}, {{64, 1}}}});
-  CHECK(asked[3] == Setting{"a", "pbd", "{}", 4});  // the most work expected within the time
-  CHECK(asked[4] == Setting{"b", "pbd", "{}", 64});
 }
 
 TEST_CASE("advise: settings beyond the limits of work, or with no further gain, are not run", "[advise]") {

@@ -1,10 +1,9 @@
-// /mesh/refine and /mesh/jitter of configs: with files and generators, with pins by number, and in forecasts.
+// /mesh/refine and /mesh/jitter of configs: with files and generators, and with pins by number.
 #include <algorithm>
 #include <string>
 
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/run_size.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -13,7 +12,6 @@ namespace {
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 
 RunConfig run_of(const std::string& mesh, const std::string& more = "") {
   return parse_experiment(R"({"name": "refined", "mesh": {)" + mesh + "}" + more + "}", "test").runs.front();
@@ -47,21 +45,6 @@ TEST_CASE("jitter: interior vertices of a file's mesh move depending on the seed
   CHECK((default_seed.position(4) - Vector3(0.5, 0.5, 0)).norm() <= 0.2 * 0.5);  // its triangles are 0.5 high
   CHECK_THROWS_WITH(run_of(R"("seed": 2, "file": ")" + (here.folder / "fan.obj").string() + R"(")"),
                     ContainsSubstring("/mesh/seed"));
-}
-
-TEST_CASE("refine: the forecast has the size of the refined mesh", "[mesh][forecast]") {
-  for (const std::string mesh :
-       {R"("generator": "grid", "cells": 6, "height": 0.5)", R"("generator": "tube", "cells": 9)",
-        R"("generator": "sphere", "cells": 3)", R"("generator": "disc", "cells": 4)"}) {
-    INFO(mesh);
-    const RunConfig config = run_of(mesh + R"(, "refine": 2)", R"(, "pins": {"vertices": []})");
-    const RestMesh rest(rest_mesh_of(config.scene().mesh, config.folder()).mesh);
-    const auto size = size_of(config);
-    REQUIRE(size);
-    CHECK(size->vertices == rest.vertex_count());
-    CHECK(size->triangles == rest.triangle_count());
-    CHECK_THAT(size->mean_edge, WithinRel(rest.mean_edge_length(), 1e-12));
-  }
 }
 
 TEST_CASE("refine and jitter: impossible values are refused with their pointer", "[mesh]") {

@@ -397,7 +397,7 @@ TEST_CASE("warnings: a membrane whose waves are too fast for the solver", "[warn
   CHECK(codes_of(with(stiff, R"("substeps": 5, "levels": 12)")) == Codes{"membrane_courant"});
 }
 
-TEST_CASE("warnings: the forecast of a soft membrane applies only to cloth that is held", "[warnings]") {
+TEST_CASE("warnings: a membrane is expected to be soft only in cloth that is held", "[warnings]") {
   const auto with = [](const char* pins, const char* effects) {
     return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": 1e-6}},
       "solver": {"substeps": 1, "iterations": 1}, "pins": {"vertices": [)" +
@@ -429,10 +429,10 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
   CHECK_THAT(message_of("lagging", stated, &left), ContainsSubstring("2.5 times") &&
                                                        ContainsSubstring("1 substep × 10 iterations") &&
                                                        ContainsSubstring("/solver/membrane: auto"));
-  CHECK_THAT(message_of("lagging", softened, &left), ContainsSubstring("More /solver/iterations"));
+  CHECK_THAT(message_of("lagging", softened, &left),
+             ContainsSubstring("/solver/iterations") && !ContainsSubstring("/solver/membrane"));
   CHECK_THAT(message_of("lagging", vbd, &left), ContainsSubstring("quasi_newton"));
-  CHECK_THAT(message_of("lagging", newton, &left),
-             ContainsSubstring("27 times the effects' forces with 3 iterations"));
+  CHECK_THAT(message_of("lagging", newton, &left), ContainsSubstring("/solver/iterations"));
 
   // Friction moves cloth with a part of its weight.
   const auto on_plane = [&](const char* solver) {
@@ -444,8 +444,8 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
                     fast = on_plane(R"({"method": "newton"})");
   CHECK(codes_of(slow, &turns) == Codes{"lagging"});
   CHECK(codes_of(few, &turns).empty());
-  CHECK_THAT(message_of("lagging", few, &slides), ContainsSubstring("8 substeps of 30"));
-  CHECK_THAT(message_of("lagging", fast, &slides), ContainsSubstring("More /solver/substeps help"));
+  CHECK_THAT(message_of("lagging", few, &slides), ContainsSubstring("/solver/substeps and iterations"));
+  CHECK_THAT(message_of("lagging", fast, &slides), ContainsSubstring("/solver/substeps"));
 }
 
 // C² = (Y/ρ) (h/cell)² = 2 (1/60)² / 0.2² / c, where c is the compliance, ρ = 0.5 kg/m² and cells are 0.2 m
@@ -591,7 +591,7 @@ TEST_CASE("warnings: for a stretched membrane only remedies that the scene does 
   const std::string tethers = R"(, {"type": "tethers"})", corner = R"("upper_right")";
   CHECK_THAT(remedy("", corner, "5"),
              ContainsSubstring("15 /solver/substeps × 1") && ContainsSubstring("tethers"));
-  CHECK_THAT(remedy("", corner, "1"), ContainsSubstring("Twice the /solver/substeps"));
+  CHECK_THAT(remedy("", corner, "1"), ContainsSubstring("twice the /solver/substeps"));
   CHECK_THAT(remedy(tethers, corner, "5"), !ContainsSubstring("tethers"));
   CHECK_THAT(remedy("", "", "5"), !ContainsSubstring("tethers"));
 }

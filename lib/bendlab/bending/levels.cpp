@@ -24,7 +24,7 @@ double rounded(double m, Rounding rounding) {
 }  // namespace
 
 Levels adaptive_levels(const BendingInput& input, const LevelSettings& settings) {
-  return adaptive_levels(input.size, input.rest.mean_edge_length(), settings);
+  return adaptive_levels(input.rest.size(), input.rest.mean_edge_length(), settings);
 }
 
 Levels adaptive_levels(double size, double edge, const LevelSettings& settings) {

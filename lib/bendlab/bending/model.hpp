@@ -39,11 +39,6 @@ struct BendingConstraints {
 struct BendingInput {
   const RestMesh& rest;
   const Pins& pins;
-  /// Diagonal of the rest box of the whole mesh, m. For a forecast, `rest` may be only a patch of that mesh.
-  double size = rest.size();
-  /// A forecast counts only the constraints whose first vertex is a multiple of `stride`; build() may leave
-  /// out the rest.
-  int stride = 1;
   double poisson_ratio = 0;  ///< of the sheet, for models with takes_poisson_ratio
   bool is_flat = false;      ///< whether the sheet is unbent when it is flat, whatever the rest shape
   /// For models with takes_directions: how the sheet's rigidity depends on the direction; null: it does not.
@@ -89,6 +84,10 @@ struct BendingKind {
   /// Whether this model, calibrated to a stated rigidity, is the reference for all other models.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;
+  double points_per_vertex = 1;  ///< vertices and directors, from which the memory of a run is estimated
+  /// About how many springs build() makes per vertex, on a mesh with this diagonal and mean edge length (m).
+  /// Also for the estimate of memory; null: at most a few.
+  double (*springs_per_vertex)(const void* settings, double size, double mean_edge) = nullptr;
   /// For a model that a program adds: identifies the version of the model's code in run ids. If empty, the
   /// hash of the program's file is used instead.
   std::string_view code = {};

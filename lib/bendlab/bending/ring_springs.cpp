@@ -80,8 +80,15 @@ int euclidean_ring(const RestMesh& rest, int a, int b) {
                   static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
 }
 
-// Estimated number of springs, so that memory is reserved once. On a lattice, ring r holds 6 r vertices, and
-// two vertices with the same level reach each other.
+// The vertices in the rings of a vertex with this level, on a lattice. There, ring r holds 6 r vertices.
+std::size_t vertices_in_rings(RingFill fill, std::size_t level) {
+  return fill == RingFill::last   ? 6 * level
+         : fill == RingFill::ends ? 6 * (level + 1)
+                                  : 3 * level * (level + 1);
+}
+
+// Estimated number of springs, so that memory is reserved once. Two vertices with the same level reach each
+// other.
 std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rule) {
   std::vector<std::size_t> with_level;
   for (const int level : levels) {
@@ -91,9 +98,7 @@ std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rul
   }
   std::size_t expected = 0;
   for (std::size_t level = 1; level < with_level.size(); ++level) {
-    const std::size_t per_vertex = rule.fill == RingFill::last   ? 6 * level
-                                   : rule.fill == RingFill::ends ? 6 * (level + 1)
-                                                                 : 3 * level * (level + 1);
+    const std::size_t per_vertex = vertices_in_rings(rule.fill, level);
     const bool is_majority = 2 * with_level[level] > levels.size();
     expected += with_level[level] * (is_majority && !rule.shared_pairs_twice ? per_vertex / 2 : per_vertex);
   }
@@ -108,12 +113,12 @@ DistanceConstraints ring_springs(const BendingInput& input, const std::vector<in
   const Pins& pins = input.pins;
   DistanceConstraints springs;
   if (!rule.path_rest_length) springs = springs_at_rest_in(rest.positions());
-  springs.vertices.reserve(expected_springs(levels, rule) / static_cast<std::size_t>(input.stride));
+  springs.vertices.reserve(expected_springs(levels, rule));
   RingWalker walker(rest.one_ring());
   PathLengths path(rest);
   const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
   const double longest = rule.euclidean_rings ? longest_edge(rest) : 0;
-  for (int centre = 0; centre < rest.vertex_count(); centre += input.stride) {
+  for (int centre = 0; centre < rest.vertex_count(); ++centre) {
     const int level = levels[static_cast<std::size_t>(centre)];
     if (level == 0) continue;
     if (rule.euclidean_rings)
@@ -133,6 +138,11 @@ DistanceConstraints ring_springs(const BendingInput& input, const std::vector<in
       }
   }
   return springs;
+}
+
+double springs_per_vertex(const RingRule& rule, int level) {
+  return static_cast<double>(vertices_in_rings(rule.fill, static_cast<std::size_t>(level))) /
+         (rule.shared_pairs_twice ? 1 : 2);
 }
 
 RingRule ring_rule(const RingSettings& settings, RingFill fill) {

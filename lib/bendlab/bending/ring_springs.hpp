@@ -52,6 +52,9 @@ struct RingRule {
 DistanceConstraints ring_springs(const BendingInput& input, const std::vector<int>& levels,
                                  const RingRule& rule);
 
+/// About how many of these springs there are per vertex, if most vertices have this level.
+double springs_per_vertex(const RingRule& rule, int level);
+
 template <class Settings>
 inline constexpr std::array ring_rule_fields = {
     field<&Settings::distance, Settings>(

@@ -150,7 +150,7 @@ BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const Bend
       input.rest, input.pins, settings, std::max(least, t ? t : levels.m), std::max(least, t ? t : levels.n));
   Thinned thinned(input, settings.springs, power);
   RingWalker walker(input.rest.one_ring());
-  for (int vertex = 0; vertex < input.rest.vertex_count(); vertex += input.stride) {
+  for (int vertex = 0; vertex < input.rest.vertex_count(); ++vertex) {
     const int level = level_of[static_cast<std::size_t>(vertex)];
     walker.walk(vertex, level);
     thinned.add(vertex, walker.ring(level), level * input.rest.mean_edge_length());

@@ -100,7 +100,6 @@ struct EffectKind {
   bool bounds_strain = false;       ///< limits stretch; at rest it may carry loads in place of the membrane
   bool uses_sides = false;          ///< its force depends on which side of each triangle is the front
   bool force_follows_pose = false;  ///< also at rest: an equilibrium depends on the force
-  double vertex_seconds = 3e-9;     ///< approximate CPU time per vertex and substep, s
 
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const void* settings, const EffectInput&) = nullptr;

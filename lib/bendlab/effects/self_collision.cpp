@@ -307,7 +307,6 @@ constinit const EffectKind SelfCollision::kind{
     .settings = table_of<SelfCollision>(self_collision_effect::fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .vertex_seconds = 1.5e-6,  // 0.6e-6 to 2.7e-6: the larger the more the cloth folds
     .compile_float = erased<self_collision_effect::compile<float>>,
     .compile_double = erased<self_collision_effect::compile<double>>,
     .doubt = erased<self_collision_effect::doubt>,

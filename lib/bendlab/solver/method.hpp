@@ -20,7 +20,7 @@ enum class Membrane {
   edges,      ///< SimulationInput::edges, a spring along each
 };
 
-/// The matrix that a method factorises, for forecasts of memory.
+/// The matrix that a method factorises.
 enum class Factorised {
   nothing,
   scalars,  ///< once: a matrix with a scalar for each pair of neighbours
@@ -30,22 +30,6 @@ enum class Factorised {
 /// A pass that a method adds to the plan, and the reason for the pass.
 struct MethodPass {
   std::string_view name, why;
-};
-
-/// What the text of a warning depends on, for a run whose steps did not converge.
-struct UnconvergedRun {
-  bool touches = false;  ///< the cloth may touch an obstacle
-  bool has_strain = false;
-};
-
-/// What the choice of remedies depends on, for a run that diverged or broke a bound of its scene.
-struct FailedRun {
-  const SimulationInput& input;
-  bool fell_wrong = false;  ///< free cloth did not fall as forces demand; false: it flew apart
-  bool single_precision = false;
-  bool is_pinned = false;
-  bool helps_projection = false;  ///< the scene lists an effect with EffectKind::helps_projection
-  bool is_prestressed = false;    ///< springs are longer at rest than the distance of their vertices
 };
 
 template <class Real>
@@ -73,8 +57,7 @@ struct MethodKind {
   std::span<const MethodPass> passes = {};  ///< besides "bending" and the passes of effects
   Membrane membrane = Membrane::triangles;
   Factorised factorised = Factorised::nothing;
-  /// The approximate time of an iteration, for forecasts; 1: the time to project each constraint once.
-  double cost = 1;
+  double bytes_per_vertex = 0;      ///< memory that the method takes besides mesh and constraints, measured
   bool springs_only = false;        ///< only takes bending models that are made of springs
   bool holds_axes = false;          ///< can hold vertices along an axis (SimulationInput::held)
   bool takes_own_elements = false;  ///< takes elements whose function the program brings
@@ -110,10 +93,6 @@ struct MethodKind {
   /// Steps lag behind the motion if the unbalanced forces exceed this multiple of the effects' forces; the
   /// second multiple is for cloth that touches something.
   double residual_of_lag = 2, residual_of_lag_on_obstacle = 1;
-  /// A sentence on what reduced this lag in tests; null: more iterations.
-  std::string (*remedy_of_lag)(const void* settings, const UnconvergedRun&) = nullptr;
-  /// Changes of settings that helped a failed run in trials; null: nothing was tried.
-  std::vector<std::string> (*remedies)(const void* settings, const FailedRun&) = nullptr;
   /// Sorts the scene's lists before a simulation is made; null: the lists stay as they are.
   void (*sort)(const void* settings, SimulationInput& input, const RestMesh& rest) = nullptr;
   MakeSimulation<float> make_float = nullptr;  ///< null: there is no single precision

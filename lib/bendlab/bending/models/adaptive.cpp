@@ -14,6 +14,11 @@ BendingConstraints build(const Adaptive& settings, const BendingInput& input) {
       .facts = facts_of(levels)};
 }
 
+double springs(const Adaptive& settings, double size, double mean_edge) {
+  return springs_per_vertex(ring_rule(settings, settings.rings),
+                            adaptive_levels(size, mean_edge, settings).m);
+}
+
 }  // namespace adaptive_model
 
 constinit const BendingKind Adaptive::kind{
@@ -30,5 +35,6 @@ constinit const BendingKind Adaptive::kind{
     .settings = table_of<Adaptive>(adaptive_model::fields),
     .springs_only = true,
     .build = erased<adaptive_model::build>,
+    .springs_per_vertex = erased<adaptive_model::springs>,
 };
 }  // namespace bendlab

@@ -278,5 +278,6 @@ constinit const BendingKind Dkt::kind{
     .takes_poisson_ratio = true,
     .takes_directions = true,
     .build = erased<dkt_model::build>,
+    .points_per_vertex = 2,
 };
 }  // namespace bendlab

@@ -22,6 +22,10 @@ BendingConstraints build(const KRing& settings, const BendingInput& input) {
       .facts = {{"k", static_cast<double>(settings.k), "the farthest ring that springs of a vertex reach"}}};
 }
 
+double springs(const KRing& settings, double /*size*/, double /*mean_edge*/) {
+  return springs_per_vertex(ring_rule(settings, settings.rings), settings.k);
+}
+
 }  // namespace k_ring_model
 
 constinit const BendingKind KRing::kind{
@@ -36,5 +40,6 @@ constinit const BendingKind KRing::kind{
     .settings = table_of<KRing>(k_ring_model::fields),
     .springs_only = true,
     .build = erased<k_ring_model::build>,
+    .springs_per_vertex = erased<k_ring_model::springs>,
 };
 }  // namespace bendlab

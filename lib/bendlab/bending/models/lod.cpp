@@ -36,6 +36,11 @@ BendingConstraints build(const Lod& settings, const BendingInput& input) {
   return constraints;
 }
 
+double springs(const Lod& settings, double size, double mean_edge) {
+  return springs_per_vertex(rule_of(settings),
+                            settings.t ? settings.t : adaptive_levels(size, mean_edge, settings).m);
+}
+
 }  // namespace lod_model
 
 constinit const BendingKind Lod::kind{
@@ -50,5 +55,6 @@ constinit const BendingKind Lod::kind{
     .settings = table_of<Lod>(lod_model::fields),
     .springs_only = true,
     .build = erased<lod_model::build>,
+    .springs_per_vertex = erased<lod_model::springs>,
 };
 }  // namespace bendlab

@@ -122,5 +122,6 @@ constinit const BendingKind MidEdge::kind{
     .softens = true,
     .yields = true,
     .build = erased<mid_edge_model::build>,
+    .points_per_vertex = 4,
 };
 }  // namespace bendlab

@@ -283,6 +283,7 @@ constinit const MethodKind Equilibrium::kind{
     .settings = table_of<Equilibrium>({}),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .bytes_per_vertex = 10e3,
     .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy and so no equilibrium",

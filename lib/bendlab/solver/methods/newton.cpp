@@ -11,14 +11,11 @@
 // the stretch to first order, and until the minimised function falls (Armijo's rule). Without Armijo's rule,
 // steps of 0.1 s and more went to and fro between stretched poses, and gained energy. Everything is double
 // precision.
-#include <fmt/format.h>
-
 #include <array>
 #include <stdexcept>
 
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/implicit_step.hpp"
-#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/supernodal_solver.hpp"
@@ -162,20 +159,6 @@ class NewtonStep final : public ImplicitStep<double> {
   SupernodalSolver solver_;
 };
 
-// experiments/measure_remedies.py has the scenes.
-std::string remedy_of_lag(const Newton&, const UnconvergedRun& run) {
-  using namespace measured;
-  if (run.touches)
-    return fmt::format(
-        "More /solver/substeps help where cloth touches something: on a spinning ball the unbalanced forces "
-        "were {:.2g} times the effects' forces with 1 substep, and {:.2g} times with 8",
-        ball_newton_1x20, ball_newton_8x20);
-  return fmt::format(
-      "More /solver/iterations help: in tests at 10⁵ N/m the unbalanced forces were {:.2g} times the "
-      "effects' forces with 3 iterations, and {:.2g} times with 10",
-      newton_3, newton_10);
-}
-
 }  // namespace
 
 constinit const MethodKind Newton::kind{
@@ -190,6 +173,7 @@ constinit const MethodKind Newton::kind{
     .settings = table_of<Newton>(fields),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .bytes_per_vertex = 10e3,
     .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
@@ -199,7 +183,6 @@ constinit const MethodKind Newton::kind{
     .steps_implicitly = true,
     .keeps_momentum = true,
     .mesh_order = true,
-    .remedy_of_lag = erased<remedy_of_lag>,
     .make_double = make_step<NewtonStep>,
 };
 }  // namespace bendlab

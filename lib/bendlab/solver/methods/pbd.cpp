@@ -30,8 +30,6 @@
 // Colours slow down convergence: a correction reaches the neighbours only with the next colour, but in list
 // order at once. The page about accuracy compares them. `order: mesh` projects in list order, by scalar code
 // (oracle.hpp).
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -45,7 +43,6 @@
 #include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/force_steps.hpp"
-#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
@@ -491,53 +488,6 @@ void sort(const Pbd& settings, SimulationInput& input, const RestMesh& rest) {
   if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
 }
 
-// ---- remedies for a run that failed
-
-// experiments/measure_remedies.py has the trials of these remedies, and their numbers. Forward sweeps add
-// energy if substeps are short: in the trial, 256 substeps per step did.
-constexpr int many_substeps = 200;
-
-std::vector<std::string> remedies(const Pbd& settings, const FailedRun& run) {
-  using namespace measured;
-  const SolverSettings& steps = run.input.settings;
-  constexpr double long_step = 1.0 / 20;  // s: between 1/60 s, where the limit does not help, and 1/15 s
-  std::vector<std::string> texts;
-  if (run.fell_wrong) {
-    if (run.single_precision) texts.push_back("/solver/precision: auto or double");
-    return texts;
-  }
-  if (settings.sweep == Sweep::forward && steps.substeps >= many_substeps)
-    texts.push_back(
-        fmt::format("/solver/sweep: symmetric (in 0.5 s with 1024 substeps per step, a sheet at rest gained "
-                    "a kinetic energy of {:.2g} J instead of {:.2g} J)",
-                    still_symmetric, still_forward));
-  if (run.is_prestressed)
-    texts.push_back(fmt::format(
-        "/bending/k: 0.1 (mean strain {:.2g} instead of {:.2g}), or another /bending/model such as isometric "
-        "({:.2g})",
-        pushed_k_tenth, pushed, pushed_isometric));
-  if (run.is_pinned && !run.helps_projection)
-    texts.push_back(fmt::format(
-        "the effect tethers (triangles {:.4g} instead of {:.4g} to {:.4g} times as long as at rest)",
-        torn_with_tethers, torn_least, torn_most));
-  if (settings.flight_limit == 0 && steps.dt / steps.substeps > long_step)
-    texts.push_back(fmt::format(
-        "/solver/flight_limit: 0.25 (triangles {:.4g} instead of {:.4g} times as long with steps of 1/15 s, "
-        "{:.4g} instead of {:.4g} with steps of 1 s)",
-        steps_of_a_fifteenth_limited, steps_of_a_fifteenth, steps_of_a_second_limited, steps_of_a_second));
-  if (!run.is_pinned && run.input.strain_stiffness.form == StrainForm::normalised)
-    texts.push_back(
-        fmt::format("/material/strain/form: angle (mean strain {:.2g} instead of {:.2g}, for a free sheet "
-                    "that starts 100 times too large)",
-                    stretched_angle, stretched_normalised));
-  if (run.is_pinned && steps.substeps < 10)
-    texts.push_back(
-        fmt::format("/solver/substeps: 10, with the same /solver/iterations (triangles {:.4g} to {:.4g} "
-                    "instead of {:.4g} to {:.4g} times as long, in ten times the time)",
-                    torn_in_10_substeps_least, torn_in_10_substeps_most, torn_least, torn_most));
-  return texts;
-}
-
 }  // namespace
 
 constinit const MethodKind Pbd::kind{
@@ -560,7 +510,6 @@ constinit const MethodKind Pbd::kind{
     .keeps_moves_apart = true,
     .sweeps_per_iteration = erased<sweeps_per_iteration>,
     .carries_stretch = erased<carries_stretch>,
-    .remedies = erased<remedies>,
     .sort = erased<sort>,
     .make_float = make_step<PbdStep<float>>,
     .make_double = make_step<PbdStep<double>>,

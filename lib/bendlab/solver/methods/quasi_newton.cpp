@@ -19,8 +19,6 @@
 //
 // Without pins the whole cloth is shifted until W (x - y) sums to the force of the contacts. So only forces
 // change momentum.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +27,6 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/solver/elastic_metric.hpp"
 #include "bendlab/solver/implicit_step.hpp"
-#include "bendlab/solver/measured.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/pair_history.hpp"
@@ -315,36 +312,6 @@ double error_of_membrane(const QuasiNewton& settings) {
   return settings.membrane == QuasiNewton::Membrane::automatic ? settings.membrane_error : 0;
 }
 
-// experiments/measure_remedies.py has the scenes.
-std::string remedy_of_lag(const QuasiNewton& settings, const UnconvergedRun& run) {
-  using namespace measured;
-  if (run.touches)
-    return fmt::format(
-        "More /solver/substeps and iterations help where cloth touches something: on a spinning ball the "
-        "unbalanced forces were {:.2g} times the effects' forces with 1 substep of 10 iterations, and {:.2g} "
-        "times with 8 substeps of 30 iterations",
-        ball_quasi_newton_1x10, ball_quasi_newton_8x30);
-  if (settings.membrane == QuasiNewton::Membrane::stated && run.has_strain)
-    return fmt::format(
-        "In tests at 10⁴ N/m the unbalanced forces were {:.2g} times the effects' forces with 10 iterations, "
-        "{:.2g} times with 40 iterations, and {:.2g} times with 10 iterations and /solver/membrane: auto",
-        quasi_newton_stated_10, quasi_newton_stated_40, quasi_newton_auto_10);
-  return fmt::format(
-      "More /solver/iterations help: in tests the unbalanced forces were {:.2g} times the effects' forces "
-      "with 2 iterations, and {:.2g} times with 20",
-      quasi_newton_auto_2, quasi_newton_auto_20);
-}
-
-// Energy that a strip gained in one trial, as a share of its energy scale: 0.21 with bdf2 and 0.015 with
-// euler, both with 10 iterations; with euler 0.06 with 3 iterations and none with 30.
-std::vector<std::string> remedies(const QuasiNewton& settings, const FailedRun& run) {
-  std::vector<std::string> texts;
-  if (run.fell_wrong) return texts;  // nothing was tried there
-  if (settings.integrator == Integrator::bdf2) texts.push_back("/solver/integrator: euler, which damps more");
-  if (run.input.settings.iterations < 30) texts.push_back("/solver/iterations: 30");
-  return texts;
-}
-
 }  // namespace
 
 constinit const MethodKind QuasiNewton::kind{
@@ -359,7 +326,7 @@ constinit const MethodKind QuasiNewton::kind{
     .settings = table_of<QuasiNewton>(fields),
     .passes = own_passes,
     .factorised = Factorised::scalars,
-    .cost = 3.5,
+    .bytes_per_vertex = 2000,
     .holds_axes = true,
     .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
@@ -369,8 +336,6 @@ constinit const MethodKind QuasiNewton::kind{
     .steps_implicitly = true,
     .keeps_momentum = true,
     .membrane_error = erased<error_of_membrane>,
-    .remedy_of_lag = erased<remedy_of_lag>,
-    .remedies = erased<remedies>,
     .make_float = make_step<QuasiNewtonStep<float>>,
     .make_double = make_step<QuasiNewtonStep<double>>,
 };

@@ -156,7 +156,7 @@ constinit const MethodKind Vbd::kind{
         "thread; a correction reaches one ring of neighbours per iteration, so fine sheets converge slowly",
     .settings = table_of<Vbd>(fields),
     .passes = own_passes,
-    .cost = 100,
+    .bytes_per_vertex = 1500,
     .holds_axes = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,

@@ -1,4 +1,4 @@
-// Forecasts the memory, disk space and time of a run, before anything is allocated for it.
+// What a run needs: memory, disk space and work, estimated before anything is allocated for the run.
 #pragma once
 
 #include <filesystem>
@@ -10,18 +10,20 @@
 
 namespace bendlab {
 
-struct Forecast {
+struct Needs {
+  double vertices = 0;
+  double springs = 0;       ///< of the bending model; 0 for models with few of them
   double memory_bytes = 0;  ///< peak of a process that computes only this run
   double disk_bytes = 0;    ///< of the run file
-  double cpu_s = 0;         ///< CPU time, on a processor like that of results/performance
-  double set_up_s = 0;      ///< the part of cpu_s before the first step
-  double constraints = 0;   ///< bending constraints
-  std::string advice;       ///< which setting lowers the largest part of the memory
 };
 
-/// Forecasts from the settings alone. Memory and disk space are right within 20 % (measured:
-/// tests/experiments/forecast_test.cpp); time depends on the machine. Nothing if the mesh cannot be made.
-std::optional<Forecast> forecast(const RunConfig& config);
+/// Estimates from the settings alone; tests/trust/needs.py compares them with runs. Memory is within a factor
+/// of 2 for the registered models and methods. Nothing if the mesh cannot be made.
+std::optional<Needs> needs_of(const RunConfig& config);
+
+/// A crude measure of a run's work, to order runs and to share them out: vertices × substeps × iterations ×
+/// steps. It compares runs of one method and model, and is no time.
+double crude_work(const RunConfig& config);
 
 /// Memory that the processes of a control group may still take, bytes; infinite without a limit. `group`:
 /// folder of the control group (cgroup version 2). Memory in which the system caches files counts as free.
@@ -37,7 +39,7 @@ class NoRoom : public std::runtime_error {
 };
 
 /// Throws NoRoom, with the memory that the run needs, the memory that is available, and the setting to
-/// change. Allows runs that need up to 10 % more than the available memory, because a forecast is not exact.
+/// change.
 void require_memory(const RunConfig& config);
 
 /// Like require_memory(); also throws RunFileError if the run file does not fit on the disk of `folder`.
