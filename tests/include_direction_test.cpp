@@ -13,6 +13,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
+namespace bendlab::include_direction_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,3 +163,5 @@ TEST_CASE("Only sources of the mesh room include CGAL, and only io includes HDF5
 }
 
 }  // namespace
+
+}  // namespace bendlab::include_direction_test

@@ -72,12 +72,12 @@ struct Entry {
   Stamp stamp;
   std::string_view line, head, summary, provenance, config;
 
-  RunRecord record(const fs::path& file, Part part) const {
+  RunRecord record(const fs::path& file, RunDetails details) const {
     Json json = Json::parse(head);
-    if (part == Part::all)
+    if (details == RunDetails::all)
       json["summary"] = Json::parse(summary), json["provenance"] = Json::parse(provenance);
     RunRecord run = record_of(json, file);
-    if (part == Part::all) run.config = config;
+    if (details == RunDetails::all) run.config = config;
     return run;
   }
 };
@@ -143,7 +143,7 @@ struct Known {
 
 /// The index's entry for each file.
 std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files,
-                            Part part) {
+                            RunDetails details) {
   std::vector<Known> known(files.size());
   const std::size_t prefix = folder.native().size() + (folder.native().ends_with('/') ? 0 : 1);
   in_parallel(files.size(), 500, [&](std::size_t i) {
@@ -151,7 +151,7 @@ std::vector<Known> known_in(const Index& index, const fs::path& folder, const st
     const Entry* const entry = index.find(files[i].native().substr(prefix));
     if (!entry || entry->stamp != known[i].stamp) return;
     try {
-      known[i].record = entry->record(files[i], part);
+      known[i].record = entry->record(files[i], details);
       known[i].line = entry->line;
     } catch (const std::exception&) {  // the file is read again
     }
@@ -172,10 +172,11 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
 }
 
 std::vector<RunRecord> read_runs(const fs::path& folder,
-                                 const std::function<void(const std::string&)>& unreadable, Part part) {
+                                 const std::function<void(const std::string&)>& unreadable,
+                                 RunDetails details) {
   const std::vector<fs::path> files = find_run_files(folder);
   const Index index(folder);
-  std::vector<Known> known = known_in(index, folder, files, part);
+  std::vector<Known> known = known_in(index, folder, files, details);
   std::vector<RunRecord> runs;
   runs.reserve(files.size());
   std::size_t from_index = 0, finished = 0;

@@ -30,7 +30,7 @@ RunsOnDisk::RunsOnDisk(const std::set<fs::path>& parents,
   for (const fs::path& parent : parents) {
     std::error_code none;
     if (!fs::is_directory(parent, none)) continue;
-    for (RunRecord& run : read_runs(parent, unreadable, Part::state))
+    for (RunRecord& run : read_runs(parent, unreadable, RunDetails::state))
       found_.emplace(run.file.parent_path().string(),
                      std::move(run));  // of a folder's files, the first is finished
   }

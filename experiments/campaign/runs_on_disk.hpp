@@ -15,7 +15,7 @@ namespace bendlab {
 /// The state of a run on disk.
 struct RunState {
   enum class Kind { over, running, failed, interrupted, unreadable, missing } kind = Kind::missing;
-  RunRecord record{};    ///< Part::state, if the run is over or interrupted
+  RunRecord record{};    ///< RunDetails::state, if the run is over or interrupted
   std::string reason{};  ///< why the run failed
 };
 

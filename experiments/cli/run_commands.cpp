@@ -269,7 +269,8 @@ int PlanCommand::run() {
       over += run.over();
       if (!run.over() && run.needs) left.add(*run.needs);
       if (!run.state.reason.empty())
-        reasons += fmt::format("failed: {}: {}\n", run_text(experiment, experiment.runs[i]), run.state.reason);
+        reasons +=
+            fmt::format("failed: {}: {}\n", run_text(experiment, experiment.runs[i]), run.state.reason);
       std::vector<std::string> cells = axis_cells(experiment, experiment.runs[i]);
       cells.insert(cells.end(), {run.id, text_of(run.state),
                                  run.over() ? duration_text(run.took_s)

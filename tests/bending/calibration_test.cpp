@@ -16,7 +16,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::calibration_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -435,4 +435,4 @@ TEST_CASE("calibration refuses a target that a model cannot have", "[bending][ca
   CHECK(fact(calibrated("adaptive", flat, quartic), "quartic_unreached") == 1);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::calibration_test

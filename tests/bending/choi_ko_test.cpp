@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::choi_ko_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -125,4 +125,4 @@ TEST_CASE("choi_ko resists closing a curved rest shape, not opening it", "[bendi
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::choi_ko_test

@@ -11,7 +11,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::directed_rigidity_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -209,4 +209,4 @@ TEST_CASE("hinges of a curved rest shape take a rigidity by direction", "[bendin
     CHECK_THAT(fact(constraints, share), WithinAbs(1, 0.1));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::directed_rigidity_test

@@ -7,7 +7,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::hinge_models_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -202,4 +202,4 @@ TEST_CASE("a curved rest shape stays still", "[bending]") {
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::hinge_models_test

@@ -7,7 +7,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::mid_edge_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -128,4 +128,4 @@ TEST_CASE("laplacian names the vertex that has too many neighbours", "[bending]"
                         Catch::Matchers::ContainsSubstring("choose another model"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::mid_edge_test

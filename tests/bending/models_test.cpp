@@ -6,7 +6,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::models_test {
 namespace {
 
 using test::built;
@@ -247,4 +247,4 @@ TEST_CASE("vertices of the pinned ring count as pinned unless a setting excludes
   CHECK(count("adaptive", rest, pins) > count("adaptive", rest, pins, {{"pinned_ring_is_pinned", false}}));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::models_test

@@ -13,7 +13,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::moment_laws_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -231,4 +231,4 @@ TEST_CASE("models whose curvature is not known refuse nonlinear moments", "[bend
     CHECK_THROWS_WITH(Sheet(model, mesh(), friction), ContainsSubstring("has a sign"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::moment_laws_test

@@ -8,7 +8,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::prestressed_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -122,4 +122,4 @@ TEST_CASE("projected with k, springs that push make a sheet grow by at most twic
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::prestressed_test

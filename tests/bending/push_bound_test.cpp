@@ -10,7 +10,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::push_bound_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -165,4 +165,4 @@ TEST_CASE("a method that softens the membrane leaves it stiff enough for springs
   CHECK(input.push_tension * 1e-7 * *simulation->membrane_softness() <= 3e-3 * (1 + 1e-9));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::push_bound_test

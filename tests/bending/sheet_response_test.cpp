@@ -12,7 +12,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::sheet_response_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -255,4 +255,4 @@ TEST_CASE("calibration for small deflections refuses sheets and models that do n
   CHECK(refusal("dihedral", grid(1, 1, 12, 12)) == "accepted");
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::sheet_response_test

@@ -10,7 +10,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::spring_models_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -169,4 +169,4 @@ TEST_CASE("the softness of sparse_lod springs gives all of them the same energy"
     CHECK_THAT(std::pow(springs.rest(s), 6) / springs.softness[s], WithinRel(std::pow(radius, 6), 1e-12));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::spring_models_test

@@ -11,7 +11,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::turned_triangles_test {
 namespace {
 
 TriangleMesh turned(TriangleMesh mesh, const std::function<bool(Eigen::Index)>& which) {
@@ -91,4 +91,4 @@ TEST_CASE("turned triangles: sparse_lod chooses the same springs on curved cloth
   CHECK(springs(a_third_turned(mesh)) == springs(mesh));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::turned_triangles_test

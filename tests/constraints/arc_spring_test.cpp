@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::arc_spring_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -259,4 +259,4 @@ TEST_CASE("a segment loaded along its axis stays straight up to 12 k_b / L²", "
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::arc_spring_test

@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/poses.hpp"
 
-namespace bendlab {
+namespace bendlab::constraints_bounded_moves_test {
 namespace {
 
 using test::Poses, test::poses, test::size_of_pose;
@@ -247,4 +247,4 @@ TEMPLATE_TEST_CASE("an arc's projection is bounded", "[constraints]", float, dou
       }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::constraints_bounded_moves_test

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::gradients_test {
 namespace {
 
 template <std::size_t N>
@@ -270,4 +270,4 @@ TEST_CASE("one projection of the Green form overshoots as Newton's method does",
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::gradients_test

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::kernels_test {
 namespace {
 
 // A crumpled sheet with random masses, some pinned vertices, and directors at random.
@@ -480,4 +480,4 @@ TEST_CASE("k' leaves 1 - k of the error of an isolated constraint after n projec
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::kernels_test

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::lists_test {
 namespace {
 
 using Pairs = std::vector<std::array<int, 2>>;
@@ -82,4 +82,4 @@ TEST_CASE("a rest length that is not stored is the distance at rest", "[constrai
   CHECK(list.renumbered({2, 0, 1}).rest(1) == 7);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::lists_test

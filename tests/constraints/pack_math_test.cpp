@@ -7,7 +7,7 @@
 
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::pack_math_test {
 
 TEMPLATE_TEST_CASE("arc tangent and sine of packs are right to rounding", "[constraints]", float, double) {
   using Real = TestType;
@@ -80,4 +80,4 @@ TEMPLATE_TEST_CASE("Bessel functions of packs are right to rounding", "[constrai
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::pack_math_test

@@ -7,7 +7,7 @@
 #include "tests/effects/one_pass.hpp"
 #include "tests/poses.hpp"
 
-namespace bendlab {
+namespace bendlab::effects_bounded_moves_test {
 namespace {
 
 using test::Poses, test::poses, test::size_of_pose;
@@ -244,4 +244,4 @@ TEMPLATE_TEST_CASE("strain limiting moves vertices by a bounded multiple of the 
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::effects_bounded_moves_test

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::effects_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -144,4 +144,4 @@ TEST_CASE("an effect of zero strength gives the same bits as no effect", "[effec
   CHECK(end(test::effect_passes<float>("rigid_damping", "rate", 1.0)) != plain);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::effects_test

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/obstacles.hpp"
 
-namespace bendlab {
+namespace bendlab::friction_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -190,4 +190,4 @@ TEST_CASE("friction changes nothing without contacts or with coefficients of zer
   CHECK(Friction::kind.idle(&no_friction));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::friction_test

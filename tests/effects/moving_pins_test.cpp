@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 
-namespace bendlab {
+namespace bendlab::moving_pins_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -205,4 +205,4 @@ TEST_CASE("moving pins have no pass if nothing moves or no vertex is pinned", "[
   CHECK(test::passes_of<float>("moving_pins", rest, pins, moves).size() == 1);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::moving_pins_test

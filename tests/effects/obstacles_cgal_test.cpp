@@ -17,7 +17,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/obstacles.hpp"
 
-namespace bendlab {
+namespace bendlab::obstacles_cgal_test {
 namespace {
 
 using test::add_effect, test::list, test::Settings;
@@ -198,4 +198,4 @@ TEMPLATE_TEST_CASE("a sheet dropped on an obstacle stays out of it", "[effects][
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::obstacles_cgal_test

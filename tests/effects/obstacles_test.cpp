@@ -7,7 +7,7 @@
 #include "bendlab/mesh/mesh_surface.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::obstacles_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -390,4 +390,4 @@ TEST_CASE("settings that define no valid obstacle are refused", "[effects][obsta
                   MeshFileError);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::obstacles_test

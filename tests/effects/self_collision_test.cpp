@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::self_collision_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -440,4 +440,4 @@ TEST_CASE("self-collision gives the same bits with any number of threads", "[eff
   CHECK(end(1) == end(3));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::self_collision_test

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 
-namespace bendlab {
+namespace bendlab::strain_limiting_test {
 namespace {
 
 // σ₁, σ₂ of triangle t, by Eigen's Jacobi SVD. F maps the rest edges, in their plane, to [x₁ - x₀, x₂ - x₀].
@@ -228,4 +228,4 @@ TEST_CASE("strain limiting reduces the energy of a hanging sheet", "[effects]") 
   CHECK(falls > 0.1);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::strain_limiting_test

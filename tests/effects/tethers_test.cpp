@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::tethers_test {
 namespace {
 
 // Positions after one step with one iteration. The sheet starts stretched about its first pin, and has no
@@ -136,4 +136,4 @@ TEST_CASE("tethers keep a heavy sheet from stretching, with any bending model", 
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::tethers_test

@@ -4,7 +4,7 @@
 #include "bendlab/metrics/motion.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::traits_test {
 namespace {
 
 // A sheet with this effect alone. The sheet is free, or pinned at two corners if the effect needs pins.
@@ -108,4 +108,4 @@ TEST_CASE("effects that declare to keep momentum keep it", "[effects]") {
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::traits_test

@@ -2,7 +2,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 
-namespace bendlab {
+namespace bendlab::viscous_drag_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -81,4 +81,4 @@ TEST_CASE("viscous drag with a coefficient of zero has no pass", "[effects]") {
   CHECK(test::passes_of<float>("viscous_drag", rest, none).size() == 1);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::viscous_drag_test

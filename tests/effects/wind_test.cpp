@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 
-namespace bendlab {
+namespace bendlab::wind_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -274,4 +274,4 @@ TEST_CASE("wind without air has no pass", "[effects]") {
   CHECK(test::passes_of<float>("wind", rest, make_pins(rest, {}, 0), {{"air_density", 0.0}}).empty());
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::wind_test

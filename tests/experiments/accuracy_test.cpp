@@ -17,7 +17,7 @@
 #include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::accuracy_test {
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -410,3 +410,5 @@ TEST_CASE("accuracy: the memory of the solver is counted") {
   const double apart = bytes(R"("mesh": {"cells": 80}, "solver": {"substeps": 64})");
   CHECK_THAT(in_double / apart, WithinRel(283.0 / 239, 0.03));
 }
+
+}  // namespace bendlab::accuracy_test

@@ -13,7 +13,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-using namespace bendlab;
+namespace bendlab::advise_test {
 using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
@@ -540,3 +540,5 @@ TEST_CASE("advise: a config written to another folder finds its files, including
   CHECK(place.run("validate other/best.json") == 0);
   CHECK(place.run("run other/best.json") == 0);
 }
+
+}  // namespace bendlab::advise_test

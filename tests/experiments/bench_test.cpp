@@ -17,7 +17,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
-namespace bendlab {
+namespace bendlab::bench_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -148,4 +148,4 @@ TEST_CASE("bench: an error of a benchmark is reported, the others are measured, 
   CHECK(run_benchmarks({.filter = "("}) == exit_usage);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::bench_test

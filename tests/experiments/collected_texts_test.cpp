@@ -9,7 +9,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::collected_texts_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -90,4 +90,4 @@ TEST_CASE("a table has columns for the metrics of expectations and for the reque
   CHECK(measure_tables(runs).empty());
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::collected_texts_test

@@ -18,6 +18,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
+namespace bendlab::command_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -376,3 +377,5 @@ TEST_CASE("Commands that describe settings print text and JSON", "[command line]
 }
 
 }  // namespace
+
+}  // namespace bendlab::command_line_test

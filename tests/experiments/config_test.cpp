@@ -13,7 +13,7 @@
 #include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::config_test {
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -542,3 +542,5 @@ TEST_CASE("config: in a scene with physical stiffness the compliance is 1") {
     "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})"),
                   ConfigError);
 }
+
+}  // namespace bendlab::config_test

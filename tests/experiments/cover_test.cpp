@@ -14,7 +14,7 @@
 #include "experiments/config/schema.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::cover_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -245,4 +245,4 @@ TEST_CASE("cover: the schema describes /cover", "[cover]") {
   CHECK_THAT(schema_text(), ContainsSubstring("/cover"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::cover_test

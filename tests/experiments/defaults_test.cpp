@@ -16,7 +16,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
-using namespace bendlab;
+namespace bendlab::defaults_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -289,3 +289,5 @@ TEST_CASE("settings that need projections select pbd with coarse levels, other s
   }
   CHECK(solver_of(R"("material": {"strain": {"compliance": 1e-3}})") == "quasi_newton compliance");
 }
+
+}  // namespace bendlab::defaults_test

@@ -17,9 +17,9 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
+namespace bendlab::dialects_test {
 namespace {
 
-using namespace bendlab;
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
 
@@ -556,3 +556,5 @@ TEST_CASE("The command refuses what it cannot convert, and says what to do", "[d
 }
 
 }  // namespace
+
+}  // namespace bendlab::dialects_test

@@ -4,7 +4,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::experiments_effective_stiffness_test {
 
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
@@ -100,4 +100,4 @@ TEST_CASE("with coarse levels the share of bending is known, but not the share o
   CHECK_THAT(with_levels.at("effective_bending_stiffness").get<double>(), WithinRel(share, of_the_estimate));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::experiments_effective_stiffness_test

@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
+namespace bendlab::end_to_end_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,3 +82,5 @@ TEST_CASE("configs of hard cases give their page", "[experiments]") {
   CHECK(judged == 6);
   fs::remove_all(folder);
 }
+
+}  // namespace bendlab::end_to_end_test

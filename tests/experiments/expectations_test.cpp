@@ -6,7 +6,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::expectations_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -109,3 +109,5 @@ TEST_CASE("expect: an override may leave an expectation without runs") {
   const std::vector<std::string> overrides = {"/mesh/cells=4"};
   CHECK_NOTHROW(parse_experiment(text, "test", overrides));
 }
+
+}  // namespace bendlab::expectations_test

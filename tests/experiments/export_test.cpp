@@ -18,7 +18,7 @@
 #include "tests/places.hpp"
 #include "tests/support.hpp"
 
-using namespace bendlab;
+namespace bendlab::export_test {
 using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
@@ -405,3 +405,5 @@ TEST_CASE("CSV quotes fields that need quotes", "[export]") {
 }
 
 }  // namespace
+
+}  // namespace bendlab::export_test

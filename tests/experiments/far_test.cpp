@@ -8,7 +8,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
 
-namespace bendlab {
+namespace bendlab::far_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -131,4 +131,4 @@ TEST_CASE("Names of places are refused if the up direction is ambiguous", "[far]
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::far_test

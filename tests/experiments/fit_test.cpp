@@ -11,7 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::fit_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -213,4 +213,4 @@ TEST_CASE("points of a shape are read from two or three columns", "[fit]") {
     CHECK_THROWS_WITH(read(text), ContainsSubstring(cause));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::fit_test

@@ -5,7 +5,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::folds_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -43,4 +43,4 @@ TEST_CASE("a folded sheet lies in layers, unstretched and without intersections"
                   ConfigError);  // the turns would be 1.26 m long
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::folds_test

@@ -11,7 +11,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::incline_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -184,4 +184,4 @@ TEST_CASE("a belt carries a sheet along", "[solver]") {
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::incline_test

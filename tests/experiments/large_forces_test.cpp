@@ -10,7 +10,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::large_forces_test {
 namespace {
 
 // The largest ratio of an edge to its rest length over all steps.
@@ -71,4 +71,4 @@ TEST_CASE("a storm does not tear a sheet", "[solver]") {
     }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::large_forces_test

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::measures_test {
 namespace {
 
 using test::Workplace;
@@ -136,4 +136,4 @@ TEST_CASE("measures: the median is taken over the last simulated second", "[meas
   CHECK_THROWS_AS(frames.last("c"), std::logic_error);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::measures_test

@@ -7,7 +7,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::membrane_stiffness_test {
 namespace {
 
 RunConfig with(const std::string& strain, const std::string& method) {
@@ -52,4 +52,4 @@ TEST_CASE("the stiffness of a membrane must be above 0, and methods that need it
   CHECK_THROWS_WITH(with(R"({"stiffness": "k"})", "newton"), Contains("\"physical\""));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::membrane_stiffness_test

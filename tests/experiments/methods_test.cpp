@@ -12,7 +12,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::methods_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -122,4 +122,4 @@ TEST_CASE("a method that needs the mesh's vertex order refuses another order") {
   CHECK_THROWS_AS(simulation_of(scene), ConfigError);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::methods_test

@@ -7,8 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
-using namespace bendlab;
-
+namespace bendlab::model_configs_test {
 namespace {
 
 const std::filesystem::path configs = std::filesystem::path(places::source) / "configs",
@@ -67,3 +66,5 @@ TEST_CASE("every hard case runs every model of pbd in both precisions and checks
   }
   CHECK(files > 10);
 }
+
+}  // namespace bendlab::model_configs_test

@@ -12,7 +12,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-using namespace bendlab;
+namespace bendlab::needs_test {
 using namespace bendlab::test;
 using Catch::Matchers::WithinRel;
 
@@ -125,3 +125,5 @@ TEST_CASE("needs: in a control group, memory of cached files counts as free") {
   place.write("memory.stat", "anon 100\ninactive_file 700\nactive_file 50\n");
   CHECK(left_in_group(place.folder) == 800);
 }
+
+}  // namespace bendlab::needs_test

@@ -8,7 +8,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
 
-namespace bendlab {
+namespace bendlab::nothing_for_nothing_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -106,4 +106,4 @@ TEST_CASE("an effect with nothing to do reports this and has no pass", "[experim
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::nothing_for_nothing_test

@@ -4,7 +4,7 @@
 #include "experiments/measures/measure.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::own_rows_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -73,4 +73,4 @@ TEST_CASE("own rows: settings follow when a model or measure is added or removed
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::own_rows_test

@@ -23,7 +23,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
-namespace bendlab {
+namespace bendlab::plain_test {
 namespace {
 
 // The same limits as in analysis/plain_cases.py, which gives the reasons.
@@ -276,4 +276,4 @@ TEST_CASE("plain: the same cloth in two units of length gives the same bits", "[
   CHECK(compared > 10);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::plain_test

@@ -9,7 +9,7 @@
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::plausibility_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -335,4 +335,4 @@ TEST_CASE("plausible: the correction of a vertex agrees with a computation by ha
   CHECK(worst_correction(input, positions, -1).kind.empty());
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::plausibility_test

@@ -20,7 +20,7 @@
 #include "tests/io/run_fixture.hpp"
 #include "tests/random_settings.hpp"
 
-using namespace bendlab;
+namespace bendlab::properties_test {
 using bendlab::test::Random;
 using bendlab::test::TemporaryFolder;
 
@@ -247,3 +247,5 @@ TEST_CASE("properties: a run stopped after any step continues with the same bits
     RC_ASSERT(differing_parts(uninterrupted.file, outcome.file) == std::vector<std::string>());
   }));
 }
+
+}  // namespace bendlab::properties_test

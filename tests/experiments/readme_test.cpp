@@ -9,6 +9,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
 
+namespace bendlab::readme_test {
 using bendlab::test::Workplace;
 using nlohmann::json;
 
@@ -55,3 +56,5 @@ TEST_CASE("readme: runs with the recommended settings meet the expectations of t
   INFO(place.err());
   CHECK(code == 0);
 }
+
+}  // namespace bendlab::readme_test

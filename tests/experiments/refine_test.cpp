@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::refine_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -64,4 +64,4 @@ TEST_CASE("jitter: the seed is used, and the border does not move", "[mesh]") {
   CHECK(box(second_seed) == box(even));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::refine_test

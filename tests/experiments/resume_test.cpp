@@ -18,7 +18,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::resume_test {
 using bendlab::test::TemporaryFolder;
 using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
@@ -223,3 +223,5 @@ TEST_CASE("resume: a run whose earlier frames are useless reports that it starts
   REQUIRE(place.run("run a.json --json") == 0);
   CHECK_THAT(place.err(), ContainsSubstring("began again from its start"));
 }
+
+}  // namespace bendlab::resume_test

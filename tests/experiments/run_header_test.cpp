@@ -9,7 +9,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::run_header_test {
 namespace {
 
 Experiment experiment_of(const std::string& bending, const std::string& solver) {
@@ -155,4 +155,4 @@ TEST_CASE("run header: the hash distinguishes triangles of equal area and differ
   CHECK(sheared.hash != whole.hash);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::run_header_test

@@ -9,7 +9,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::run_index_test {
 using namespace bendlab::test;
 namespace fs = std::filesystem;
 
@@ -74,7 +74,7 @@ TEST_CASE("run index: the index agrees with the files after any change", "[campa
     fs::remove_all(files[1].parent_path());
     files.erase(files.begin() + 1);
     const std::vector<RunRecord> states = read_runs(
-        folder / "", [](const std::string& what) { FAIL_CHECK(what); }, Part::state);
+        folder / "", [](const std::string& what) { FAIL_CHECK(what); }, RunDetails::state);
     REQUIRE(states.size() == files.size());
     for (std::size_t i = 0; i < states.size(); ++i) {
       RunRecord whole = read_run(files[i]);
@@ -134,3 +134,5 @@ TEST_CASE("run index: a damaged run is reported and does not hide other runs", "
   REQUIRE(problems.size() == 1);
   CHECK(problems[0].find("changed") != std::string::npos);
 }
+
+}  // namespace bendlab::run_index_test

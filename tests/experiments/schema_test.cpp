@@ -18,7 +18,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
-using namespace bendlab;
+namespace bendlab::schema_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -209,3 +209,5 @@ TEST_CASE("schema: configs/schema.json is up to date") {
   INFO("./bendlab schema --json > configs/schema.json");
   CHECK((text == schema_json().dump(2) + "\n"));
 }
+
+}  // namespace bendlab::schema_test

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::set_up_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -159,4 +159,4 @@ TEST_CASE("set-up: scenes that are too large are built only with --strict, and t
              ContainsSubstring("2 of 3 different scenes checked") && ContainsSubstring("--strict"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::set_up_test

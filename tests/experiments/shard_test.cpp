@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-using namespace bendlab;
+namespace bendlab::shard_test {
 using namespace bendlab::test;
 namespace fs = std::filesystem;
 
@@ -102,3 +102,5 @@ TEST_CASE("plan: other processes see why a run failed", "[campaign]") {
   CHECK(place.out_lines().at(0).at("state") == "failed");
   CHECK(place.out_lines().at(0).at("reason").get<std::string>().find("mesh.obj") != std::string::npos);
 }
+
+}  // namespace bendlab::shard_test

@@ -9,7 +9,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::stability_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -218,4 +218,4 @@ TEST_CASE("stability: the energy of a tumbling sheet is elastic or kinetic, and 
   CHECK(seen.at("stability_spin_kept") < 1.001);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::stability_test

@@ -8,8 +8,7 @@
 #include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
-
+namespace bendlab::start_after_test {
 namespace {
 
 RunConfig config_of(const std::string& settings) {
@@ -112,3 +111,5 @@ TEST_CASE("the id of a run depends on the run before") {
   CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("duration": 4)"));
   CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("initial": {"after": ["/mesh/cells=5"]})"));
 }
+
+}  // namespace bendlab::start_after_test

@@ -13,7 +13,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::experiments_stiffness_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -150,4 +150,4 @@ TEST_CASE("The clamp's offset follows from the reach of the bending model", "[st
   CHECK(set.exclude == 0.25);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::experiments_stiffness_test

@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::strip_doubts_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -164,4 +164,4 @@ TEST_CASE("Measurements are compared by the law that the shape shows", "[strip]"
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::strip_doubts_test

@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::sweep_file_test {
 namespace {
 
 using nlohmann::json;
@@ -109,4 +109,4 @@ TEST_CASE("run config: unknown settings of another version are refused, and the 
   CHECK_THROWS_WITH(stored_run(resolved), Catch::Matchers::ContainsSubstring("levity"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::sweep_file_test

@@ -7,7 +7,7 @@
 #include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::sweep_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -268,3 +268,5 @@ TEST_CASE("override: wrong overrides are refused") {
   check_problem(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})", "/effects/0/acceleration",
                 "not every swept value of", {"/effects/0/acceleration=[0,0,0]"});
 }
+
+}  // namespace bendlab::sweep_test

@@ -10,7 +10,7 @@
 #include "experiments/run/warnings.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::tethers_membrane_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -67,4 +67,4 @@ TEST_CASE("tethers hold a membrane whose stiffness substeps do not resolve, and 
   CHECK(elongation(1e-4, 8, "") > 5e-4);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::tethers_membrane_test

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
-namespace bendlab {
+namespace bendlab::tiny_numbers_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -77,4 +77,4 @@ TEST_CASE("Implicit steps and an equilibrium work with a tiny rigidity, too", "[
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::tiny_numbers_test

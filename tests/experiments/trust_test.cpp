@@ -14,7 +14,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
 
-using namespace bendlab;
+namespace bendlab::trust_test {
 using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
@@ -412,3 +412,5 @@ TEST_CASE("trust: the shells complete commands, options and files of the program
   CHECK(completed("run a.json --set /solver/subs") == "/solver/substeps=\n");
   CHECK(completed("show scr") == "script\n");
 }
+
+}  // namespace bendlab::trust_test

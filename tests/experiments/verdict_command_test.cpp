@@ -8,6 +8,7 @@
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
 
+namespace bendlab::verdict_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -149,3 +150,5 @@ TEST_CASE("Good scenes get no warning and are plausible", "[command line][plausi
                    "paper/fig5.json' --set /mesh/cells=16 --set /initial/seed=1 --json") == 0);
   for (const json& run : here.out_lines()) CHECK(run.at("status") == "complete");
 }
+
+}  // namespace bendlab::verdict_command_test

@@ -14,7 +14,7 @@
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::warnings_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -721,4 +721,4 @@ TEST_CASE("warnings: each has a unique code, and is read back from JSON", "[warn
   CHECK(warnings_of(Json()).empty());
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::warnings_test

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::checksum_test {
 using namespace bendlab::test;
 namespace fs = std::filesystem;
 
@@ -53,3 +53,5 @@ TEST_CASE("checksum: files without a checksum, and the checksum of an empty file
   CHECK(bytes_of(folder / "empty") == "\nbendlab XXH3-128 99aa06d3014798d86001c324468d497f\n");
   CHECK(seal_of(folder / "empty") == Seal::whole);
 }
+
+}  // namespace bendlab::checksum_test

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::disk_test {
 using bendlab::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -27,3 +27,5 @@ TEST_CASE("disk: creating a new file never overwrites an existing file or the ta
   CHECK(fs::exists(folder / "mine"));
   CHECK_FALSE(fs::exists(fs::symlink_status(folder / "run.vtkhdf.part")));
 }
+
+}  // namespace bendlab::disk_test

@@ -16,7 +16,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::folder_lock_test {
 using bendlab::test::TemporaryFolder;
 namespace fs = std::filesystem;
 
@@ -174,3 +174,5 @@ TEST_CASE("lock: no folder, a link instead of the file, and a pipe", "[io][lock]
   REQUIRE(::mkfifo((folder / "run.lock").c_str(), 0600) == 0);
   CHECK_FALSE(is_locked(folder / ""));  // without waiting for a writer of the pipe
 }
+
+}  // namespace bendlab::folder_lock_test

@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::frame_writer_test {
 using namespace bendlab::test;
 namespace fs = std::filesystem;
 
@@ -142,3 +142,5 @@ TEST_CASE("frame writer: a missing folder is refused at once", "[io]") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(FrameWriter(folder / "absent" / "run.vtkhdf", square_header()), RunFileError);
 }
+
+}  // namespace bendlab::frame_writer_test

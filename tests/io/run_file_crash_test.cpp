@@ -16,7 +16,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::run_file_crash_test {
 using namespace bendlab::test;
 namespace fs = std::filesystem;
 
@@ -236,3 +236,5 @@ TEST_CASE("run file: a run continues only if there is room for all its earlier f
   CHECK(wrong_frames(part) == 0);
   CHECK(goes_on_from(part, path, frames));
 }
+
+}  // namespace bendlab::run_file_crash_test

@@ -15,7 +15,6 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
 using namespace bendlab::test;
 using Catch::Matchers::WithinRel;
 namespace fs = std::filesystem;
@@ -30,6 +29,7 @@ auto ContainsSubstring(const std::string& text) {
 }  // namespace
 #endif
 
+namespace bendlab::run_file_test {
 TEST_CASE("run file: everything written is read back", "[io]") {
   const TemporaryFolder folder;
   const auto path = folder / "run.vtkhdf";
@@ -379,3 +379,5 @@ TEST_CASE("run file: a frame of the wrong size is a programming error", "[io]") 
   writer.finish({});
   CHECK(read_run(folder / "run.vtkhdf").frames == 1);
 }
+
+}  // namespace bendlab::run_file_test

@@ -12,7 +12,7 @@
 #include "bendlab/metrics/stretch.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::bad_triangles_test {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -398,3 +398,5 @@ TEST_CASE("triangles without area still have mass, and hold vertices in the memb
   moved(4, 2) += 7;
   CHECK(meter.measure(moved)[2].largest == 1);
 }
+
+}  // namespace bendlab::bad_triangles_test

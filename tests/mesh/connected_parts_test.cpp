@@ -6,7 +6,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::connected_parts_test {
 
 TEST_CASE("connected parts: a sheet is one part, in breadth-first order from its first vertex", "[mesh]") {
   const RestMesh sheet(grid(1, 1, 2, 1));  // 3 4 5 above 0 1 2, diagonals from lower left to upper right
@@ -27,4 +27,4 @@ TEST_CASE("connected parts: a sheet cut in two is two parts, which hold every ve
   CHECK(all.size() == static_cast<std::size_t>(cut.vertex_count()));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::connected_parts_test

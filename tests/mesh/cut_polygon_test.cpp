@@ -10,7 +10,7 @@
 
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::cut_polygon_test {
 using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
 
@@ -193,3 +193,5 @@ TEST_CASE("a polygon that cannot be cut is refused", "[mesh][polygons]") {
   for (int c = 0; c < 10000; ++c) zigzag.emplace_back(-c, c % 2, 0);
   refused(zigzag, "10001 corners");
 }
+
+}  // namespace bendlab::cut_polygon_test

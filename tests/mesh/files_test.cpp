@@ -9,7 +9,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::files_test {
 namespace fs = std::filesystem;
 
 namespace {
@@ -398,3 +398,5 @@ TEST_CASE("files with changed bytes are either read or refused", "[mesh][files]"
     }
   }
 }
+
+}  // namespace bendlab::files_test

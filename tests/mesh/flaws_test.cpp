@@ -13,7 +13,7 @@
 #include "bendlab/mesh/soup.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::flaws_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -157,4 +157,4 @@ TEST_CASE("sphere: closed, the same along all axes, with normals outwards", "[me
   CHECK_THROWS_AS(sphere(1, 0), std::invalid_argument);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::flaws_test

@@ -15,7 +15,7 @@
 #include "bendlab/mesh/soup.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::generators_test {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -340,3 +340,5 @@ TEST_CASE("generators refuse sizes and counts that give no valid mesh", "[mesh][
   CHECK_THROWS_AS(tube(1, 1, 1e9, 8), std::invalid_argument);        // a billion rows
   CHECK_THROWS_AS(delaunay(1e-9, 1, 10, 1), std::invalid_argument);  // ten billion rows
 }
+
+}  // namespace bendlab::generators_test

@@ -11,7 +11,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::geodesics_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -197,4 +197,4 @@ TEST_CASE("a geodesic disc holds the vertices nearer than its radius, also when 
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::geodesics_test

@@ -7,7 +7,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::material_coordinates_test {
 using Catch::Matchers::WithinAbs;
 
 namespace {
@@ -77,3 +77,5 @@ TEST_CASE("the gradient of a stretch is exactly zero at a corner that the stretc
       }
   }
 }
+
+}  // namespace bendlab::material_coordinates_test

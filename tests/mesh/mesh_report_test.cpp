@@ -5,7 +5,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::mesh_report_test {
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -64,3 +64,5 @@ TEST_CASE("the JSON of an infinite measure is valid", "[mesh][report]") {
   CHECK(json["counts"]["collinear"] == 2);
   CHECK(!contains(json.dump(), "null"));
 }
+
+}  // namespace bendlab::mesh_report_test

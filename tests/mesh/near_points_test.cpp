@@ -4,8 +4,7 @@
 
 #include "tests/catch.hpp"
 
-using namespace bendlab;
-
+namespace bendlab::near_points_test {
 TEST_CASE("a long row of near points does not merge into one point", "[mesh]") {
   // Each point is within the tolerance of the next point, but not of the one after that.
   std::vector<std::array<double, 3>> points;
@@ -22,3 +21,5 @@ TEST_CASE("a point merges with the nearest of the points within the tolerance", 
   CHECK(near_points(points, used, 0.9e-3) == std::vector<std::size_t>{0, 1, 1, 3, 0, 5, 6, 0});
   CHECK(near_points({{1, 2, 3}, {1, 2, 3}, {1, 2, 4}}, {1, 1, 1}, 0) == std::vector<std::size_t>{0, 0, 2});
 }
+
+}  // namespace bendlab::near_points_test

@@ -7,7 +7,7 @@
 #include "bendlab/mesh/readers.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::obj_reader_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -177,3 +177,5 @@ TEST_CASE("OBJ: a line that cannot be read is refused with its number", "[mesh][
   check_refused("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\n# bow tie\nf 1 2 3 4\n",
                 "line 6: the face crosses itself");
 }
+
+}  // namespace bendlab::obj_reader_test

@@ -9,8 +9,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
-
+namespace bendlab::orientation_test {
 namespace {
 
 // A band with half a turn in it, `across` cells wide.
@@ -72,3 +71,5 @@ TEST_CASE("the seam of a Möbius band runs across the band", "[mesh][orientation
       CHECK(orientation.seams <= static_cast<std::size_t>(2 * across + 1));
     }
 }
+
+}  // namespace bendlab::orientation_test

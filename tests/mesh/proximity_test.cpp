@@ -9,7 +9,7 @@
 #include "bendlab/mesh/self_intersections.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::proximity_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -152,4 +152,4 @@ TEST_CASE("self-intersections are pairs of triangles that cross", "[mesh][proxim
   CHECK_THROWS_AS(self_intersections(two, triangles), std::invalid_argument);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::proximity_test

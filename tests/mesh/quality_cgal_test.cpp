@@ -12,8 +12,8 @@
 #include "bendlab/mesh/quality.hpp"
 #include "tests/catch.hpp"
 
+namespace bendlab::quality_cgal_test {
 namespace PMP = CGAL::Polygon_mesh_processing;
-using namespace bendlab;
 
 TEST_CASE("the counts of needles, caps and collinear triangles agree with CGAL", "[mesh][quality]") {
   using Point = CGAL::Simple_cartesian<CGAL::Exact_rational>::Point_3;
@@ -53,3 +53,5 @@ TEST_CASE("the counts of needles, caps and collinear triangles agree with CGAL",
   CHECK(caps > 50);
   CHECK(collinear > 50);
 }
+
+}  // namespace bendlab::quality_cgal_test

@@ -11,7 +11,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::quality_test {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -199,3 +199,5 @@ TEST_CASE("quality does not depend on the unit of length", "[mesh][quality]") {
     CHECK(here.degenerate_triangles == there.degenerate_triangles);
   }
 }
+
+}  // namespace bendlab::quality_test

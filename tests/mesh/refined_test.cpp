@@ -14,7 +14,7 @@
 #include "bendlab/mesh/soup.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::refined_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -119,4 +119,4 @@ TEST_CASE("jitter refuses a mesh with texture coordinates, which would no longer
   CHECK_THROWS_AS(jittered(mesh, 0.1, 1), std::invalid_argument);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::refined_test

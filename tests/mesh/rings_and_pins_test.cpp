@@ -10,7 +10,7 @@
 #include "bendlab/mesh/rings.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::rings_and_pins_test {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -270,3 +270,5 @@ TEST_CASE("the paper's m and n agree with values by hand for three meshes", "[me
     CHECK(levels.n == 3);
   }
 }
+
+}  // namespace bendlab::rings_and_pins_test

@@ -5,7 +5,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::mesh_single_precision_test {
 namespace {
 
 TriangleMesh moved(TriangleMesh mesh, double x, double y, double z) {
@@ -49,4 +49,4 @@ TEST_CASE("the chosen origin is a round number near the mesh, so floats keep the
 }
 
 }  // namespace
-}  // namespace bendlab
+}  // namespace bendlab::mesh_single_precision_test

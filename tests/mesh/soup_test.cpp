@@ -6,7 +6,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::soup_test {
 using Kind = MeshProblemKind;
 using Strings = std::vector<std::string>;
 
@@ -156,3 +156,5 @@ TEST_CASE("isolated vertices are left out and the remaining vertices renumbered"
   CHECK(mesh.texture_coordinates.rows() == 6);
   CHECK(diagnose(mesh).empty());
 }
+
+}  // namespace bendlab::soup_test

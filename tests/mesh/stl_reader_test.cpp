@@ -5,7 +5,7 @@
 #include "bendlab/mesh/readers.hpp"
 #include "tests/catch.hpp"
 
-using namespace bendlab;
+namespace bendlab::stl_reader_test {
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
@@ -41,3 +41,5 @@ TEST_CASE("STL as text: all solids are read, in lower or upper case", "[mesh][fi
   CHECK_THROWS_WITH(parse_stl("solid a\n" + lower.substr(0, 60) + "\nsolid b\n" + upper + "endsolid\n"),
                     ContainsSubstring("no 'endfacet'"));
 }
+
+}  // namespace bendlab::stl_reader_test

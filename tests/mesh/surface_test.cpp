@@ -10,7 +10,7 @@
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::surface_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -108,4 +108,4 @@ TEST_CASE("places keep the names of the flat mesh", "[mesh]") {
     CHECK(select_vertices(rolled, place) == select_vertices(flat, place));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::surface_test

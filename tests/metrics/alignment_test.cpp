@@ -7,7 +7,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::alignment_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -88,4 +88,4 @@ TEST_CASE("alignment: the distance to positions with NaN is NaN", "[metrics]") {
   CHECK(std::isnan(Alignment(rest).distance(broken)));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::alignment_test

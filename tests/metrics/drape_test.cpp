@@ -7,7 +7,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::drape_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -69,4 +69,4 @@ TEST_CASE("drape: the scene needs a table and cloth that hangs over it", "[metri
                   std::invalid_argument);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::drape_test

@@ -6,7 +6,7 @@
 #include "bendlab/metrics/stretch.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::metrics_test {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -65,4 +65,4 @@ TEST_CASE("energy and momenta of a rigid motion are right", "[metrics]") {
   CHECK_THAT(drop_below(1, Positions(positions.array() - 3), -Vector3::UnitZ()), WithinAbs(2, 1e-14));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::metrics_test

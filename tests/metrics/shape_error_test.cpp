@@ -11,7 +11,7 @@
 #include "bendlab/metrics/alignment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::shape_error_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -183,4 +183,4 @@ TEST_CASE("box tree: the nearest element agrees with a search through all elemen
   CHECK(std::isinf(BoxTree(Positions(0, 3)).least_squared_distance({0, 0, 0}, [](int) { return 0.0; })));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::shape_error_test

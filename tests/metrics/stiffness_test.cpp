@@ -14,7 +14,7 @@
 #include "bendlab/metrics/elastica.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::metrics_stiffness_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -252,7 +252,7 @@ std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row
 StripStiffness measured_chain(const std::vector<double>& stiffness_of_row, double gamma, double p) {
   const int links = static_cast<int>(stiffness_of_row.size());
   const double clamped = 2.0 / (links + 2);
-  const Strip strip = bendlab::strip("", grid(1, 0.6, links + 2, 3 * (links + 2) / 5), clamped, clamped);
+  const Strip strip = metrics_stiffness_test::strip("", grid(1, 0.6, links + 2, 3 * (links + 2) / 5), clamped, clamped);
   std::vector<Vector3> rows = {Vector3::Zero()};
   for (const double angle : chain_in_balance(stiffness_of_row, gamma, p))
     rows.push_back(rows.back() + Vector3(std::cos(angle), 0, -std::sin(angle)) / links);
@@ -419,4 +419,4 @@ TEST_CASE("a scene that is no clamped strip is refused with the reason", "[stiff
   CHECK_THROWS_AS(meter.measure(shape), std::invalid_argument);  // the clamp has moved
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::metrics_stiffness_test

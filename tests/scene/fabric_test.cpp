@@ -21,7 +21,7 @@
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::fabric_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -634,4 +634,4 @@ TEST_CASE("laboratory files become rigidities in SI", "[scene]") {
   CHECK_THROWS_WITH(arcsim_settings(arcsim), ContainsSubstring("density"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::fabric_test

@@ -6,7 +6,7 @@
 #include "bendlab/scene/simulate.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::loads_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -238,4 +238,4 @@ TEST_CASE("a stretched isotropic sheet contracts across by Poisson's ratio", "[s
   CHECK_THAT(across / along, WithinAbs(-0.4, 0.01));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::loads_test

@@ -10,7 +10,7 @@
 #include "bendlab/solver/elastic_system.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::own_elements_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -200,4 +200,4 @@ TEST_CASE("own elements: methods that do not support them refuse them", "[own]")
                     ContainsSubstring("/solver/method") && ContainsSubstring("newton"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::own_elements_test

@@ -12,7 +12,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::simulate_test {
 
 using Catch::Matchers::ContainsSubstring;
 
@@ -249,4 +249,4 @@ TEST_CASE("simulate: a scene may have a user's mesh", "[scene]") {
   CHECK(cloth.triangles() == scene.mesh.given->triangles);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::simulate_test

@@ -4,7 +4,7 @@
 #include "bendlab/scene/simulate.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::symmetry_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -100,4 +100,4 @@ TEST_CASE("a plane of symmetry needs held vertices, and a model with slopes at v
   CHECK_THROWS_WITH(simulate(scene), ContainsSubstring("choose dkt"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::symmetry_test

@@ -5,8 +5,7 @@
 
 #include "tests/catch.hpp"
 
-using namespace bendlab;
-
+namespace bendlab::archive_test {
 namespace {
 
 struct Inner {
@@ -100,3 +99,5 @@ TEST_CASE("archive: invalid bytes give an error or a valid value", "[archive]") 
   CHECK(read(false, "\2"));
   CHECK(read(std::optional<char>(), "\2x") == 'x');
 }
+
+}  // namespace bendlab::archive_test

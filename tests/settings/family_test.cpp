@@ -7,6 +7,7 @@
 
 #include "tests/catch.hpp"
 
+namespace bendlab::family_test {
 namespace {
 
 using bendlab::Registry;
@@ -60,3 +61,5 @@ TEST_CASE("registry: data derived from the kinds are derived again when the kind
   shapes.remove("hexagon"), shapes.remove("square");
   CHECK(corners(shapes.all()) == std::vector{3, 4});
 }
+
+}  // namespace bendlab::family_test

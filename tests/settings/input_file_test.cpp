@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 
-using namespace bendlab;
+namespace bendlab::input_file_test {
 using bendlab::test::TemporaryFolder;
 using Catch::Matchers::ContainsSubstring;
 namespace fs = std::filesystem;
@@ -38,3 +38,5 @@ TEST_CASE("input file: everything that is not a regular file is refused", "[inpu
   fs::create_symlink("loop", folder / "loop");
   CHECK_THAT(refusal(folder / "loop"), ContainsSubstring("leads back to itself"));
 }
+
+}  // namespace bendlab::input_file_test

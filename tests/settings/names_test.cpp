@@ -6,6 +6,7 @@
 
 #include "tests/catch.hpp"
 
+namespace bendlab::names_test {
 namespace {
 
 enum class Colour { red, green };
@@ -28,3 +29,5 @@ TEST_CASE("names: an unknown name is refused, and the message lists the known na
   }
   CHECK(message == "'blue' is not one of red, green");
 }
+
+}  // namespace bendlab::names_test

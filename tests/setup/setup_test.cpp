@@ -13,6 +13,7 @@
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
+namespace bendlab::setup_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,3 +152,5 @@ TEST_CASE("The Python of the tests has the modules that the scripts import", "[s
 }
 
 }  // namespace
+
+}  // namespace bendlab::setup_test

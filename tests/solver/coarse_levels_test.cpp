@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::coarse_levels_test {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
@@ -223,4 +223,4 @@ TEST_CASE("coarse levels give the same bits with one thread and with two", "[sol
   CHECK(last(1) == last(2));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::coarse_levels_test

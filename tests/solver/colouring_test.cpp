@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::colouring_test {
 namespace {
 
 template <class Vertices>
@@ -158,4 +158,4 @@ TEST_CASE("list order keeps the order of the list", "[solver]") {
     CHECK(constraint_of_lane[static_cast<std::size_t>(lane)] == (lane < 20 ? lane : -1));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::colouring_test

@@ -7,7 +7,7 @@
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
-namespace bendlab {
+namespace bendlab::convergence_test {
 namespace {
 
 constexpr int cells = 32;         // along the long side of each cloth
@@ -70,4 +70,4 @@ TEST_CASE("the coloured order reaches the strain error of the mesh order within 
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::convergence_test

@@ -11,7 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::solver_effective_stiffness_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -305,4 +305,4 @@ TEMPLATE_TEST_CASE("a flat sheet at rest and a sheet with k have no effective st
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::solver_effective_stiffness_test

@@ -3,7 +3,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::energy_test {
 namespace {
 
 constexpr double membrane_compliance = 1e-3;  // m/N
@@ -87,4 +87,4 @@ TEST_CASE("the energy of a triangle agrees with the closed form of every strain 
   CHECK_THAT(energy(StrainForm::angle, sheared), is(0.5 * area * phi * phi));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::energy_test

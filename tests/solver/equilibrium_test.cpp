@@ -11,7 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::equilibrium_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -311,4 +311,4 @@ TEST_CASE("the equilibrium method refuses k and obstacles, and reports an equili
   CHECK(*falling->unbalanced() > 0.5);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::equilibrium_test

@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::force_steps_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -123,4 +123,4 @@ TEST_CASE("a step of a second does not tear a curtain if the step may be divided
   CHECK(lowest(0.05) > -0.8);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::force_steps_test

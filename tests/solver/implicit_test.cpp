@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/solver/implicit_scenes.hpp"
 
-namespace bendlab {
+namespace bendlab::implicit_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -457,4 +457,4 @@ TEST_CASE("quasi_newton refuses a model whose force jumps", "[solver]") {
   CHECK_THROWS_WITH(make_simulation<double>(input, {}), Catch::Matchers::Contains("jumps"));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::implicit_test

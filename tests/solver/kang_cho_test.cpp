@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::kang_cho_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -527,4 +527,4 @@ TEST_CASE("kang_cho: every spring is in the rows of both its ends", "[solver]") 
   CHECK(rows.rest_length[16] == 2);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::kang_cho_test

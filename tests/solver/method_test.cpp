@@ -8,7 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::method_test {
 namespace {
 
 // A sheet that every method accepts: it has springs, and every stiffness is a compliance.
@@ -98,4 +98,4 @@ TEST_CASE("methods: settings are read from their struct, and settings of another
   CHECK_THROWS_AS(settings_of<KangCho>(input), std::logic_error);
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::method_test

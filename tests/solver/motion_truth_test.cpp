@@ -12,7 +12,7 @@
 #include "tests/catch.hpp"
 #include "tests/solver/implicit_scenes.hpp"
 
-namespace bendlab {
+namespace bendlab::motion_truth_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -438,4 +438,4 @@ TEST_CASE("implicit steps give the same bits in parallel simulations and with an
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::motion_truth_test

@@ -6,7 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::order_from_pins_test {
 
 TEST_CASE("constraints nearest to the pins come first, and keep their rest values", "[solver]") {
   // The lower left corner of a grid with parallel diagonals is pinned. A vertex (i, j) is max(i, j) edges
@@ -55,4 +55,4 @@ TEST_CASE("constraints nearest to the pins come first, and keep their rest value
   }
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::order_from_pins_test

@@ -9,7 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/solver/implicit_scenes.hpp"
 
-namespace bendlab {
+namespace bendlab::quasi_newton_test {
 namespace {
 
 using Catch::Matchers::WithinRel;
@@ -138,4 +138,4 @@ TEST_CASE("a membrane is as stiff as stated at a pin, and softer with the distan
   for (const double s : SoftMembrane(input).softness(error, 0)) CHECK(s == 1);    // no known load
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::quasi_newton_test

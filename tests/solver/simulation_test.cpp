@@ -13,7 +13,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::simulation_test {
 namespace {
 
 using Catch::Matchers::WithinAbs;
@@ -366,4 +366,4 @@ TEST_CASE("the order of an unknown kind of element is refused, and the error nam
   CHECK_THROWS_WITH(simulation->element_order("hinges"), Catch::Matchers::ContainsSubstring("hinge, "));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::simulation_test

@@ -5,7 +5,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::solver_single_precision_test {
 namespace {
 
 constexpr double gravity = 9.81, step = 1.0 / 60;
@@ -177,4 +177,4 @@ TEST_CASE("an effect that moves vertices sees whole positions in single precisio
   CHECK_THAT(strip.length(*simulation), Catch::Matchers::WithinAbs(1, 1e-5));
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::solver_single_precision_test

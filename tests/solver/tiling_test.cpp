@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
-namespace bendlab {
+namespace bendlab::tiling_test {
 namespace {
 
 std::size_t colour_of(const BatchOrder& order, std::size_t stack) {
@@ -94,4 +94,4 @@ TEMPLATE_TEST_CASE("tile by tile and colour by colour, the solver gives the same
   CHECK(after(1) == after(2));  // one thread goes tile by tile, two go colour by colour
 }
 
-}  // namespace bendlab
+}  // namespace bendlab::tiling_test
