@@ -9,11 +9,13 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/lib/bendlab DESTINATION ${headers} FILES_M
   PATTERN "pack.hpp" EXCLUDE PATTERN "pack_math.hpp" EXCLUDE PATTERN "pack_turn.hpp" EXCLUDE
   PATTERN "element_kernel.hpp" EXCLUDE
   PATTERN "strain_terms.hpp" EXCLUDE PATTERN "models" EXCLUDE PATTERN "methods" EXCLUDE)
-foreach(room config scene measures run campaign terminal)
-  install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/${room} DESTINATION ${headers}/experiments
-    FILES_MATCHING PATTERN "*.hpp")
-endforeach()
-install(FILES ${CMAKE_SOURCE_DIR}/experiments/cli/command_line.hpp DESTINATION ${headers}/experiments/cli)
+if(BENDLAB_PROGRAM)
+  foreach(room config measures run campaign terminal)
+    install(DIRECTORY ${CMAKE_SOURCE_DIR}/experiments/${room} DESTINATION ${headers}/experiments
+      FILES_MATCHING PATTERN "*.hpp")
+  endforeach()
+  install(FILES ${CMAKE_SOURCE_DIR}/experiments/cli/command_line.hpp DESTINATION ${headers}/experiments/cli)
+endif()
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/bendlab)
 target_include_directories(bendlab_flags INTERFACE $<INSTALL_INTERFACE:${headers}>)
 target_compile_features(bendlab_flags INTERFACE cxx_std_20)
@@ -39,15 +41,17 @@ if(CMAKE_MATCH_1 EQUAL 16)  # what malloc() aligns to: the library would use it 
   target_compile_definitions(bendlab_flags INTERFACE $<BUILD_INTERFACE:EIGEN_MALLOC_ALREADY_ALIGNED=0>)
 endif()
 
-set(rooms settings mesh constraints bending effects solver metrics scene io)
-foreach(room IN LISTS rooms ITEMS flags experiments bench dialects fit)
+set(rooms settings mesh constraints bending effects solver metrics scene flags)
+if(BENDLAB_PROGRAM)
+  list(APPEND rooms io experiments bench dialects fit)
+  set_target_properties(bendlab_program PROPERTIES EXPORT_NAME program)
+  set_target_properties(bendlab_cli PROPERTIES EXPORT_NAME bendlab)
+  install(TARGETS bendlab_cli bendlab_program EXPORT bendlab)
+endif()
+foreach(room IN LISTS rooms)
   set_target_properties(bendlab_${room} PROPERTIES EXPORT_NAME ${room})
+  install(TARGETS bendlab_${room} EXPORT bendlab)
 endforeach()
-set_target_properties(bendlab_cli PROPERTIES EXPORT_NAME bendlab)
-set_target_properties(bendlab_program PROPERTIES EXPORT_NAME program)
-list(TRANSFORM rooms PREPEND bendlab_)
-install(TARGETS bendlab_flags ${rooms} bendlab_experiments bendlab_bench bendlab_dialects bendlab_fit
-  bendlab_cli bendlab_program EXPORT bendlab)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/bendlab)
 install(EXPORT bendlab DESTINATION ${package} NAMESPACE bendlab:: FILE bendlabTargets.cmake)

@@ -26,10 +26,10 @@ struct KnownReference : Reference {
   bool tells() const { return strain <= largest_reference_strain && gap.value_or(0) <= largest_error; }
 };
 
-/// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a coarser
-/// reference if a finer one takes too long, by its own run or by that of the coarsest. Throws
-/// std::runtime_error if there is no reference, or no reference in time. If `runs` has an exit code, the result
-/// is incomplete.
+/// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a
+/// coarser reference if a finer one takes too long, by its own run or by that of the coarsest. Throws
+/// std::runtime_error if there is no reference, or no reference in time. If `runs` has an exit code, the
+/// result is incomplete.
 KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of);
 
 }  // namespace bendlab

@@ -29,9 +29,9 @@ class Runs {
   std::optional<double> reference_gap() const { return gap_; }
 
   /// Runs the scene with each setting, several runs at a time; /duration is multiplied by `times`. Runs with
-  /// little work (crude_work()) come first. Stops runs that take longer than `seconds`, or than the time limit.
-  /// Strain and stretch of a trial are those of its run; the caller compares them with the reference. If
-  /// exit_code() is not 0, all trials are unfinished.
+  /// little work (crude_work()) come first. Stops runs that take longer than `seconds`, or than the time
+  /// limit. Strain and stretch of a trial are those of its run; the caller compares them with the reference.
+  /// If exit_code() is not 0, all trials are unfinished.
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 

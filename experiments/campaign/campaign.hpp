@@ -61,10 +61,10 @@ std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiment
 
 /// Computes the runs, those with the most work first, as many at a time as fit into memory. Runs that another
 /// process is computing are put off until the end: then this process waits until they are over, and computes
-/// those whose owner has died. A run that fails does not stop the others; the reason is written into the run's
-/// folder. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as soon as
-/// this run and all runs before it are over. After a stop signal each current run ends with its next frame, and
-/// no further run begins.
+/// those whose owner has died. A run that fails does not stop the others; the reason is written into the
+/// run's folder. `on_ready` is called with the index of every run in sweep order, by one thread at a time, as
+/// soon as this run and all runs before it are over. After a stop signal each current run ends with its next
+/// frame, and no further run begins.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready);
 

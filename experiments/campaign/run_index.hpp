@@ -25,8 +25,8 @@ std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& f
 
 /// The runs below a folder, sorted by path. Reads files without a valid entry in the folder's index
 /// (read_checked), and then writes the index again, if the folder is writable. `unreadable` is called with
-/// the error of each file that cannot be read. RunDetails::state leaves out summary, provenance and config, because
-/// parsing them takes long for thousands of runs.
+/// the error of each file that cannot be read. RunDetails::state leaves out summary, provenance and config,
+/// because parsing them takes long for thousands of runs.
 enum class RunDetails { state, all };
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder,
                                  const std::function<void(const std::string&)>& unreadable,

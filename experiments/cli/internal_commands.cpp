@@ -1,5 +1,5 @@
-// Commands that are not for users: `read-file`, which checked_read.hpp runs in a separate process, and `test`,
-// which the start script replaces.
+// Commands that are not for users: `read-file`, which checked_read.hpp runs in a separate process, and
+// `test`, which the start script replaces.
 #include "experiments/cli/command.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/errors.hpp"
@@ -18,7 +18,8 @@ struct TestCommand : Command {
   TestCommand() { takes_anything = true; }
   int run() override {
     throw UsageError(
-        "only the start script in the checkout builds and runs the tests: ./bendlab test [ctest arguments]");
+        "only the start script in the checkout builds and runs the tests: ./bendlab test [--all | ctest "
+        "arguments]");
   }
 };
 

@@ -9,8 +9,8 @@
 
 namespace bendlab {
 
-/// The experiments of configs. `overrides` are "/pointer=value" texts. `axes` are "/pointer=value,value" texts,
-/// added to the sweeps. Throws one ConfigsError with the problems of all configs.
+/// The experiments of configs. `overrides` are "/pointer=value" texts. `axes` are "/pointer=value,value"
+/// texts, added to the sweeps. Throws one ConfigsError with the problems of all configs.
 std::vector<Experiment> load_experiments(const std::vector<std::string>& files,
                                          std::vector<std::string> overrides = {},
                                          const std::vector<std::string>& axes = {});

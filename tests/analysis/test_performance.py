@@ -232,7 +232,8 @@ class MeasureTest(unittest.TestCase):
         gains = [round(threads.gain(steps["float"], row), 12) for row in steps["float"]]
         self.assertEqual(gains, [1, 2])
         self.assertIn("2.0 times (single precision)", threads.title(steps))
-        self.assertIn("1.8 times as fast as one after the other (0.875 to 3.50)", threads.beside_text(rows(BESIDE)))
+        self.assertIn("1.8 times as fast as one after the other (0.875 to 3.50)",
+                      threads.beside_text(rows(BESIDE)))
 
 
 class PageTest(unittest.TestCase):

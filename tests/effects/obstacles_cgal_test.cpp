@@ -10,6 +10,9 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #endif
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <numbers>
 
@@ -139,7 +142,8 @@ struct Contacts {
 
 template <class Real>
 Contacts dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
-  const auto file = std::filesystem::temp_directory_path() / ("bendlab-dropped-" + obstacle.label + ".obj");
+  const auto file = std::filesystem::temp_directory_path() /
+                    fmt::format("bendlab-dropped-{}-{}.obj", obstacle.label, getpid());
   Settings settings = obstacle.settings;
   settings.emplace_back("thickness", thickness);
   if (obstacle.from_file) {

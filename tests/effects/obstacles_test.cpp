@@ -1,6 +1,9 @@
 // Obstacles agree with their geometry: when and how far they push, and that no vertex passes through them.
 #include "tests/effects/obstacles.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <filesystem>
 
 #include "bendlab/mesh/files.hpp"
@@ -32,7 +35,8 @@ TriangleMesh box(const Vector3& half) {
 struct MeshFile {
   std::filesystem::path path;
   MeshFile(const char* name, const TriangleMesh& mesh)
-      : path(std::filesystem::temp_directory_path() / (std::string("bendlab-obstacle-") + name + ".obj")) {
+      : path(std::filesystem::temp_directory_path() /
+             fmt::format("bendlab-obstacle-{}-{}.obj", name, getpid())) {
     write_mesh(path, mesh);
   }
   ~MeshFile() { std::filesystem::remove(path); }

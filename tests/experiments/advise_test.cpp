@@ -343,7 +343,7 @@ TEST_CASE("advise: the program knows every kind of setting of the measured front
   }
 }
 
-TEST_CASE("advise: a run with the advised setting has the promised error", "[advise]") {
+TEST_CASE("advise: a run with the advised setting has the promised error", "[advise][slow]") {
   Scenes place;
   const std::string models = " --models dihedral,isometric,lod,mid_edge";
   place.kept_promise("strip.json --error 5%" + models);
@@ -367,7 +367,7 @@ TEST_CASE("advise: a run with the advised setting has the promised error", "[adv
   CHECK_THAT(text, ContainsSubstring("  " + text.substr(begin + 1, end - begin - 1) + "\n"));
 }
 
-TEST_CASE("advise: coarser meshes are offered, and compared with the mesh of the config", "[advise]") {
+TEST_CASE("advise: coarser meshes are offered, and compared with the mesh of the config", "[advise][slow]") {
   Scenes place;
   const std::string fine =
       "curtain.json --set /mesh/cells=24 --methods pbd --models dihedral,none --error 15%";
@@ -478,7 +478,7 @@ TEST_CASE("advise: impossible requests are refused with a hint what to write", "
 }
 
 TEST_CASE("advise: if no setting meets the demand, the answer says so and names the nearest setting",
-          "[advise]") {
+          "[advise][slow]") {
   Scenes place;
   // A fit setting that is too slow may be used nevertheless.
   CHECK_THAT(place.answer("strip.json --budget 1us --models dihedral", 1),

@@ -90,7 +90,7 @@ TEST_CASE("bench measures set-up, recording, sweeps and the limits of the machin
   CHECK(rows.at("peak/float").at("flop_per_second") > 0);
 }
 
-TEST_CASE("bench measures the solver methods and the parts of quasi_newton", "[bench]") {
+TEST_CASE("bench measures the solver methods and the parts of quasi_newton", "[bench][slow]") {
   const auto rows = rows_of("^(method|gradient|solve|law)");
   const auto row = [&](const std::string& id) {
     INFO(id);

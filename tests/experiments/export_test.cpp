@@ -75,7 +75,7 @@ Number number_at(const std::string& bytes, std::size_t offset) {
   return number;
 }
 
-TEST_CASE("The files of every format agree with the run file", "[export]") {
+TEST_CASE("The files of every format agree with the run file", "[export][slow]") {
   ExportedPlace here;
   for (const char* format : {"csv", "obj", "ply", "pc2", "usda"}) {
     const std::string name = format;

@@ -52,7 +52,7 @@ const std::string hidden = R"({"model": "dkt", "rigidity": {"warp": 2.4e-5, "wef
 
 }  // namespace
 
-TEST_CASE("a fit finds warp and weft from strips of another mesh and model", "[fit]") {
+TEST_CASE("a fit finds warp and weft from strips of another mesh and model", "[fit][slow]") {
   FitProblem problem;
   for (const int along : {1, 0}) {
     problem.runs.push_back(run_of(strip(coarse, guess, along)));

@@ -248,7 +248,7 @@ TEST_CASE("plain: hinges hardly move a hanging sheet in the first step", "[plain
   }
 }
 
-TEST_CASE("plain: no run of a sample breaks a bound without a report", "[plain]") {
+TEST_CASE("plain: no run of a sample breaks a bound without a report", "[plain][slow]") {
   const std::string name = GENERATE("first", "metres", "millimetres", "methods");
   // Newton's method takes a hundred times as long.
   CHECK(silently_wrong(name, name == "methods" ? 40 : 10) == std::vector<std::string>());
@@ -256,7 +256,7 @@ TEST_CASE("plain: no run of a sample breaks a bound without a report", "[plain]"
 
 // A unit of length of 1/1024 changes only exponents. If no length is compared with a fixed constant, no bit
 // may differ.
-TEST_CASE("plain: the same cloth in two units of length gives the same bits", "[plain]") {
+TEST_CASE("plain: the same cloth in two units of length gives the same bits", "[plain][slow]") {
   const Experiment small = plain("millimetres"), large = plain("millimetres_in_metres");
   REQUIRE(small.runs.size() == large.runs.size());
   constexpr double scale = 1.0 / 1024;

@@ -41,6 +41,27 @@ def lines(text):
     return [json.loads(line) for line in text.splitlines()]
 
 
+class LibraryAlone(unittest.TestCase):
+    """Without the program, the library needs neither HDF5, PNG, CLI11, NLopt nor Google Benchmark."""
+
+    def test_a_program_is_built_against_it(self):
+        absent = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("HDF5", "PNG", "CLI11", "benchmark")]
+        with tempfile.TemporaryDirectory(prefix="bendlab library ") as name:
+            place = Path(name)
+            succeeds(CMAKE, "-S", ROOT, "-B", place / "build", "-G", "Ninja", "-DBENDLAB_PROGRAM=OFF",
+                     "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_CXX_COMPILER={COMPILER}", *absent, folder=place)
+            succeeds(CMAKE, "--build", place / "build", folder=place)
+            succeeds(CMAKE, "--install", place / "build", "--prefix", place / "prefix", folder=place)
+            (place / "CMakeLists.txt").write_text(
+                "cmake_minimum_required(VERSION 3.25)\nproject(mine CXX)\nfind_package(bendlab REQUIRED)\n"
+                f"add_executable(hang {EXAMPLE}/hang.cpp)\n"
+                "target_link_libraries(hang PRIVATE bendlab::scene)\n")
+            succeeds(CMAKE, "-S", ".", "-B", "mine", "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={place / 'prefix'}",
+                     f"-DCMAKE_CXX_COMPILER={COMPILER}", *absent, folder=place)
+            succeeds(CMAKE, "--build", "mine", folder=place)
+            succeeds(place / "mine/hang", folder=place)
+
+
 class Installed(unittest.TestCase):
     """The files of `cmake --install`, and a program that uses the installed library."""
 

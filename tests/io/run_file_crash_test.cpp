@@ -172,7 +172,7 @@ with h5py.File(sys.argv[1], 'r+') as file:
   CHECK(goes_on_from(part, path, 5));
 }
 
-TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {
+TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io][slow]") {
   // A limit on the file size replaces a full disk: writes beyond the limit fail in the same way. The limits
   // are spread over the growth of several frames.
   for (rlim_t limit = 180000; limit < 210000; limit += 3777) {

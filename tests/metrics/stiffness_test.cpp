@@ -252,7 +252,8 @@ std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row
 StripStiffness measured_chain(const std::vector<double>& stiffness_of_row, double gamma, double p) {
   const int links = static_cast<int>(stiffness_of_row.size());
   const double clamped = 2.0 / (links + 2);
-  const Strip strip = metrics_stiffness_test::strip("", grid(1, 0.6, links + 2, 3 * (links + 2) / 5), clamped, clamped);
+  const Strip strip =
+      metrics_stiffness_test::strip("", grid(1, 0.6, links + 2, 3 * (links + 2) / 5), clamped, clamped);
   std::vector<Vector3> rows = {Vector3::Zero()};
   for (const double angle : chain_in_balance(stiffness_of_row, gamma, p))
     rows.push_back(rows.back() + Vector3(std::cos(angle), 0, -std::sin(angle)) / links);

@@ -97,8 +97,7 @@ def code_lines(file):
 def compile_flags(work, file):
     """The compiler flags that libclang needs for the file. A header, and a file in a unity build, takes the
     flags of another file in the same folder."""
-    entries = [entry for entry in json.loads((work.build / "compile_commands.json").read_text())
-               if "generic" not in entry["command"]]
+    entries = json.loads((work.build / "compile_commands.json").read_text())
     own = [entry for entry in entries if entry["file"] == str(file)]
     room = str(file.relative_to(work.tree)).split("/")[:2]
     beside = [entry for entry in entries if "/".join(room) in entry["file"]

@@ -145,11 +145,13 @@ TEMPLATE_TEST_CASE("a sparse factor solves its system for points", "[solver]", f
   CHECK_THROWS_WITH(SparseFactor<TestType>(indefinite), Catch::Matchers::Contains("positive definite"));
 }
 
+namespace {
+
 // The start is flat and free, or disturbed and pinned at a corner.
-TEST_CASE("every implicit method finds the one minimum of a step", "[solver]") {
+void check_minimum_of_a_step(std::span<const SmoothModel> models) {
   const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
   for (const double disturbance : {0.0, 0.004})
-    for (const SmoothModel& model : smooth_models) {
+    for (const SmoothModel& model : models) {
       const bool pinned = disturbance > 0;
       const Pins pins = make_pins(rest, pinned ? std::vector<int>{0} : std::vector<int>{}, 0);
       SimulationInput input =
@@ -162,6 +164,16 @@ TEST_CASE("every implicit method finds the one minimum of a step", "[solver]") {
       // Positions in single precision have a rounding of 3e-8 m, which also affects forces.
       CHECK(largest_difference(newton, after_a_step<float>(input, "quasi_newton", 300)) <= 2e-6);
     }
+}
+
+}  // namespace
+
+TEST_CASE("every implicit method finds the one minimum of a step with hinges", "[solver]") {
+  check_minimum_of_a_step(std::vector<SmoothModel>{{"discrete_shells", 100}});
+}
+
+TEST_CASE("every implicit method finds the one minimum of a step", "[solver][slow]") {
+  check_minimum_of_a_step(smooth_models);
 }
 
 TEMPLATE_TEST_CASE("the residual of a step is the imbalance of forces and inertia", "[solver]", float,

@@ -34,8 +34,8 @@ def wrong_in(program, folder, number):
         return f"the runs are {[entry['status'] for entry in runs]}"
     texts = [*(output for output, _ in outputs), last.stdout]
     computed = [entry["id"] for entry in map(json.loads, "".join(texts).splitlines()) if not entry["reused"]]
-    # A killed process may have finished its last file without printing this.
-    if len(computed) != len(set(computed)) or not RUNS - 1 <= len(computed) <= RUNS:
+    # A killed process may have computed runs that it did not print: it prints a run after all runs before it.
+    if len(computed) != len(set(computed)):
         return f"{RUNS} runs were computed {len(computed)} times: {sorted(computed)}"
     wrong = [f"{file.parent.name}: {what}" for file in run_files(folder / "whole")
              for what in differences(file, folder / "out" / file.relative_to(folder / "whole"))]

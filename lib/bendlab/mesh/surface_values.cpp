@@ -1,7 +1,9 @@
 #include "bendlab/mesh/surface_values.hpp"
 
 #include <fmt/format.h>
+#ifdef BENDLAB_WITH_PNG
 #include <png.h>
+#endif
 
 #include <cmath>
 #include <cstring>
@@ -97,6 +99,7 @@ SurfaceValues::At SurfaceValues::operator()(const Vector3& place) const {
   return at;
 }
 
+#ifdef BENDLAB_WITH_PNG
 namespace {
 
 // What libpng reads from, and the text of its error.
@@ -164,6 +167,14 @@ GreyImage::GreyImage(const std::filesystem::path& file) {
   for (std::size_t i = 0; i + 1 < bytes.size(); i += 2)
     grey_.push_back(static_cast<float>(256 * bytes[i] + bytes[i + 1]) / 65535.0F);
 }
+#else
+GreyImage::GreyImage(const std::filesystem::path& file) {
+  refuse_map(
+      MeshFileError::Kind::refused, file,
+      "this library was built without libpng. Install libpng-dev and build it again, or give the map as "
+      "a property of a PLY file");
+}
+#endif
 
 double GreyImage::operator()(const Vector2& texture) const {
   const double x = texture.x() * width_ - 0.5, y = (1 - texture.y()) * height_ - 0.5;

@@ -14,8 +14,8 @@ from bendlab.settings import plain
 
 def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measures=(), progress=False):
     """Computes the runs of an experiment, and returns a table with a row for each run: a structured NumPy
-    array. `table["drop"]` is a column, `table[0]` a row, `table.dtype.names` has the names of the columns, and
-    `pandas.DataFrame(table)` makes a data frame.
+    array. `table["drop"]` is a column, `table[0]` a row, `table.dtype.names` has the names of the columns,
+    and `pandas.DataFrame(table)` makes a data frame.
 
     config: a Scene, a dict as in a config file, or the path of a config file.
     sweep: settings to vary, in addition to the config's own sweep:
