@@ -27,9 +27,9 @@ struct KnownReference : Reference {
 };
 
 /// Runs the reference for errors of the kind `error_of` (absent: Question::natural_error()). Chooses a
-/// coarser reference if a finer one takes too long, by its own run or by that of the coarsest. Throws
-/// std::runtime_error if there is no reference, or no reference in time. If `runs` has an exit code, the
-/// result is incomplete.
+/// coarser reference if a finer one took too long, or would, judging by the time of the coarsest. Throws
+/// std::runtime_error if the scene has no reference, or if none is complete in time. If `runs` has an exit
+/// code, the result is incomplete.
 KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of);
 
 }  // namespace bendlab

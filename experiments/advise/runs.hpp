@@ -35,11 +35,12 @@ class Runs {
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 
-  /// Whether a run may end in time: its file exists, or the finished runs do not speak against it.
+  /// Whether a run may end in time: true if its file exists, if finished runs give no estimate, or if the
+  /// estimated time is less than left_s().
   bool in_time(const Setting& setting, const Json& accuracy, double times = 1) const;
 
-  /// Strain and stretch of the reference that a run was compared with, and the CPU time that it took in all;
-  /// 0 and 1 if the reference has no file.
+  /// Strain, stretch and total CPU time of the reference that a run is compared with. If the reference has no
+  /// file: strain 0, stretch 1, time 0.
   Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:

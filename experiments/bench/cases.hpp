@@ -36,8 +36,8 @@ void register_run_cases(const BenchOptions& options);
 /// `name/scalar[/threads:N]`.
 std::string bench_id(const std::string& name, const std::string& scalar, int threads = 1);
 
-/// Registers a benchmark, with the lowest and the highest value of its repetitions. An exception of `work` is
-/// an error of this benchmark, and the next benchmark runs.
+/// Registers a benchmark that reports the lowest and the highest value of its repetitions. If `work` throws,
+/// this benchmark fails, and the next benchmark begins.
 benchmark::internal::Benchmark* add_benchmark(const std::string& id,
                                               std::function<void(benchmark::State&)> work);
 

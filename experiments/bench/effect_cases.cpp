@@ -161,9 +161,9 @@ void register_effect_cases(const BenchOptions& options) {
       const bool stacked = scene.effect == "self_collision";
       // Left out: the contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (stacked && cells == 1000) continue;
-      // The number of steps of a repetition is fixed. With a least time of the passes instead, a repetition
-      // would have too many steps, because the effect is a small part of a step. After more than three steps,
-      // the layers of a stack would no longer have the same contacts.
+      // A repetition has a fixed number of steps. If the effect's passes had to take a least time instead, a
+      // repetition would need too many steps, because the effect is a small part of a step. After more than
+      // three steps, the layers of a stack would no longer have the same contacts.
       const int vertices = (cells + 1) * (cells + 1);
       const int steps = stacked ? 3 : std::clamp((options.quick ? 20'000 : 200'000) / vertices, 3, 200);
       const std::string name = fmt::format("effect/{}/{}", scene.effect, cells);

@@ -1,5 +1,4 @@
-// Times what no kernel of this machine can beat: moving data through its caches and memory, and
-// multiply-adds.
+// Measures the limits for all kernels on this machine: bandwidth of caches and memory, and multiply-adds.
 #include <fmt/format.h>
 
 #include <array>

@@ -32,7 +32,7 @@ RunsOnDisk::RunsOnDisk(const std::set<fs::path>& parents,
     if (!fs::is_directory(parent, none)) continue;
     for (RunRecord& run : read_runs(parent, unreadable, RunDetails::state))
       found_.emplace(run.file.parent_path().string(),
-                     std::move(run));  // of a folder's files, the first is finished
+                     std::move(run));  // keeps the first file of a folder: the finished file, if there is one
   }
 }
 

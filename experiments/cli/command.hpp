@@ -54,7 +54,7 @@ struct Command {
   /// Returns the exit code, or throws (see errors.hpp).
   virtual int run() = 0;
 
-  /// --help shows the value that the variable has before, unless it is empty or 0.
+  /// --help shows the variable's initial value as the default, unless this value is empty or 0.
   template <class Value>
   void add(Value& variable, std::string_view usage, std::string meaning, const Range& range = any_number) {
     option_list.emplace_back(usage, &variable, std::move(meaning), range);

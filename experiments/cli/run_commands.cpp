@@ -178,7 +178,7 @@ Json known_run_json(const Experiment& experiment, const RunConfig& config, const
   return line;
 }
 
-/// The CPU time of the runs that are left, as far as finished runs tell it.
+/// The CPU time of the runs that are left, estimated from finished runs.
 std::string time_text(const std::vector<KnownRun>& runs) {
   double cpu_s = 0;
   std::size_t left = 0, told = 0;
@@ -187,7 +187,7 @@ std::string time_text(const std::vector<KnownRun>& runs) {
     if (run.time) cpu_s += run.time->cpu_s, ++told;
   }
   if (told == 0) return "CPU time unknown until a run is finished";
-  const std::string by = "by the finished runs";
+  const std::string by = "estimated from finished runs";
   return told == left ? fmt::format("about {} of CPU time {}", duration_text(cpu_s), by)
                       : fmt::format("about {} of CPU time {} for {} of {}", duration_text(cpu_s), by, told,
                                     counted(left, "run"));
@@ -320,10 +320,10 @@ int ValidateCommand::run() {
 extern const CommandKind run_command{
     "run", "Compute the runs of the configs, except the runs that are complete",
     "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try", make<RunCommand>};
-extern const CommandKind plan_command{
-    "plan",
-    "List the runs of the configs: swept values, id, state, memory and disk, and the time by finished runs",
-    "bendlab plan configs/plain/first.json", make<PlanCommand>};
+extern const CommandKind plan_command{"plan",
+                                      "List the runs of the configs: swept values, id, state, memory, disk, "
+                                      "and time estimated from finished runs",
+                                      "bendlab plan configs/plain/first.json", make<PlanCommand>};
 extern const CommandKind validate_command{"validate", "Check configs and report every problem",
                                           "bendlab validate configs/recommended.json", make<ValidateCommand>};
 

@@ -21,8 +21,8 @@ struct Needs {
 /// of 2 for the registered models and methods. Nothing if the mesh cannot be made.
 std::optional<Needs> needs_of(const RunConfig& config);
 
-/// A crude measure of a run's work, to order runs and to share them out: vertices × substeps × iterations ×
-/// steps. It compares runs of one method and model, and is no time.
+/// A crude estimate of a run's work, to order runs: vertices × substeps × iterations × steps. It is not a
+/// time. Compare it only between runs with the same model and method.
 double crude_work(const RunConfig& config);
 
 /// Memory that the processes of a control group may still take, bytes; infinite without a limit. `group`:

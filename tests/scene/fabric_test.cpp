@@ -139,8 +139,8 @@ TEST_CASE("a strip with internal friction keeps at most HB/B when it is let go",
   Scene scene = bent_strip(most, 10);
   EdgeMoment load{.vertices = {Place::right}, .moment = most * width};
   load.times = {0, 1, 2, 4}, load.factors = {0, 1, 0, 0};
-  // So light that its slowest mode, ω = 110 /s, follows the moment; critically damped. The membrane, which
-  // nothing stretches, is so soft that the iterations of quasi_newton converge.
+  // The strip is so light that its slowest mode (ω = 110 /s) follows the moment. The drag damps this mode
+  // critically. Nothing stretches the membrane; it is soft, so that quasi_newton converges.
   scene.material.density = 2e-4;
   scene.material.strain.stiffness = Stiffness::physical, scene.material.strain.membrane_stiffness = 20;
   scene.effects = {load, ViscousDrag{.coefficient = 0.04}};

@@ -1,5 +1,5 @@
-"""Shards of a sweep, and the whole sweep beside them, some of which are killed. Every run must be computed
-once, with the same bits as by one process.
+"""Starts the shards of a sweep and, at the same time, the whole sweep, and kills some of these processes.
+Every run must be computed once, with the same bits as in a single process.
 
     shards.py PROGRAM [ROUNDS]      exit 1 if a round fails
 """

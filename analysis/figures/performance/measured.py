@@ -63,8 +63,8 @@ def row_of(name, found):
 
 
 def ratio_to_oracle(row, rows):
-    """Time of the oracle over the time of the row; None without an oracle. Oracles are timed in few sizes,
-    and some only in double precision, so the row is compared with the oracle that is most like it."""
+    """Time of the oracle, divided by the time of the row; None without an oracle. Oracles are timed in few
+    sizes, and some only in double precision, so the row is compared with the oracle that is most like it."""
     kind, _, size = row["name"].rpartition("/")
     oracles = [other for other in rows if other["name"].rpartition("/")[0] == f"{kind}_oracle"]
     like = lambda other: (other["scalar"] == row["scalar"], other["name"].endswith(f"/{size}"))

@@ -55,7 +55,7 @@ class Machine:
         return np.interp(np.log(size), np.log(sizes), [self.bandwidths[measured] for measured in sizes])
 
     def share(self, row):
-        """The least time over the time of a row; None if the least time is not known."""
+        """The least possible time, divided by the measured time of a row; None if it is not known."""
         kind, scalar = row["name"].rpartition("/")[0], BYTES[row["scalar"]]
         if not self.bandwidths or not self.peaks:
             return None

@@ -80,7 +80,8 @@ int euclidean_ring(const RestMesh& rest, int a, int b) {
                   static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
 }
 
-// The vertices in the rings of a vertex with this level, on a lattice. There, ring r holds 6 r vertices.
+// The number of vertices in the rings that a vertex with this level is joined to. On a lattice, ring r has 6
+// r vertices.
 std::size_t vertices_in_rings(RingFill fill, std::size_t level) {
   return fill == RingFill::last   ? 6 * level
          : fill == RingFill::ends ? 6 * (level + 1)

@@ -29,7 +29,7 @@ void remove_abandoned(const std::filesystem::path& file);
 /// Makes a file with this text. Throws RunFileError, also if a file or a link with this name exists.
 void write_new(const std::filesystem::path& file, std::string_view text);
 
-/// A text for the names of new files, which no other call on any machine returns.
+/// Returns a text for the names of new files. No other call, on any machine, returns the same text.
 std::string unique_token();
 
 enum class Wait { for_disk, no };
