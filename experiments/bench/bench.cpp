@@ -103,6 +103,7 @@ double cpu_seconds(const std::function<void()>& work) {
 }
 
 int run_benchmarks(const BenchOptions& options) {
+  has_failed = false;
   std::vector<std::string> flags = {"bendlab", "--benchmark_report_aggregates_only=true",
                                     "--benchmark_filter=" + options.filter,
                                     fmt::format("--benchmark_repetitions={}", options.repetitions),

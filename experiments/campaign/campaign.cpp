@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -119,7 +120,7 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
       run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
     if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
-    if (is_over(run.outcome->status)) remove_failure(run.outcome->file);
+    if (!run.outcome->left) remove_failure(run.outcome->file);
   } catch (...) {
     const Failure failure = current_failure();
     run.exit_code = failure.exit_code;
@@ -186,9 +187,11 @@ class Queue {
 
 Shard shard_of(const std::string& text) {
   Shard shard;
-  int read = 0;
-  if (std::sscanf(text.c_str(), "%zu/%zu%n", &shard.index, &shard.count, &read) != 2 ||
-      static_cast<std::size_t>(read) != text.size() || shard.index >= shard.count)
+  const char* const end = text.data() + text.size();
+  const auto index = std::from_chars(text.data(), end, shard.index);
+  const bool has_slash = index.ec == std::errc{} && index.ptr != end && *index.ptr == '/';
+  const auto count = has_slash ? std::from_chars(index.ptr + 1, end, shard.count) : index;
+  if (!has_slash || count.ec != std::errc{} || count.ptr != end || shard.index >= shard.count)
     throw UsageError(fmt::format("--shard: '{}' is not of the form i/n with 0 ≤ i < n, such as 0/8", text));
   return shard;
 }

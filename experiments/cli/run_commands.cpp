@@ -141,10 +141,10 @@ struct KnownRun {
   fs::path folder;
   RunState state;
   std::optional<Needs> needs;
-  double took_s = 0;                       ///< CPU time that the run took; 0: the run is not complete
-  std::optional<RunTimes::Expected> time;  ///< of a run that is not complete
+  double took_s = 0;                       ///< CPU time that the run took; 0: the run is not over
+  std::optional<RunTimes::Expected> time;  ///< of a run that is not over
 
-  bool over() const { return took_s > 0; }
+  bool over() const { return state.kind == RunState::Kind::over; }
 };
 
 std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path& out) {
@@ -156,12 +156,13 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
     id = run_id(config);
     folder = run_folder(out, experiment, config, id);
     state = on_disk.state_of(folder, id);
-    if (state.kind == RunState::Kind::over && is_whole(state.record.status)) took_s = state.record.cpu_s;
+    if (state.kind == RunState::Kind::over) took_s = state.record.cpu_s;
     needs = needs_of(config);
   });
   RunTimes times;
   for (std::size_t i = 0; i < known.size(); ++i)
-    if (known[i].over()) times.add(experiment.runs[i], known[i].took_s);
+    if (known[i].over() && is_whole(known[i].state.record.status) && known[i].took_s > 0)
+      times.add(experiment.runs[i], known[i].took_s);
   for (std::size_t i = 0; i < known.size(); ++i)
     if (!known[i].over()) known[i].time = times.expected(experiment.runs[i]);
   return known;

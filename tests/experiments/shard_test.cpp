@@ -44,7 +44,8 @@ TEST_CASE("shards: every run of a campaign belongs to exactly one shard", "[camp
     CHECK(all == expected);
     CHECK(all.size() == 10);
   }
-  for (const char* text : {"2/2", "1", "a/b", "1/2x", "-1/2", "0/0", ""})
+  for (const char* text :
+       {"2/2", "1", "a/b", "1/2x", "-1/2", "0/0", "0/-8", "0/ 8", "+0/8", "0/99999999999999999999", ""})
     CHECK_THROWS_AS(shard_of(text), UsageError);
   CHECK(shard_of("2/8").index == 2);
   CHECK(shard_of("2/8").count == 8);

@@ -96,14 +96,26 @@ class LockFiles {
   std::set<int> open_;
 };
 
+// Whether the path still leads to the open file. If somebody removed the file after it was opened, another
+// process may lock a new file.
+bool leads_to(const fs::path& file, int descriptor) {
+  struct stat opened {
+  }, present{};
+  return ::fstat(descriptor, &opened) == 0 && ::lstat(file.c_str(), &present) == 0 &&
+         opened.st_dev == present.st_dev && opened.st_ino == present.st_ino;
+}
+
 }  // namespace
 
 std::unique_ptr<FolderLock> FolderLock::of(const fs::path& folder, const Options& options) {
   const fs::path file = folder / lock_name;
   bool announced = false;
   for (auto pause = 1ms;; pause = std::min(pause * 2, std::chrono::milliseconds(250))) {
-    if (const int descriptor = LockFiles::of_this_process().open_locked(file); descriptor >= 0)
-      return std::unique_ptr<FolderLock>(new FolderLock(file, descriptor));
+    if (const int descriptor = LockFiles::of_this_process().open_locked(file); descriptor >= 0) {
+      if (leads_to(file, descriptor)) return std::unique_ptr<FolderLock>(new FolderLock(file, descriptor));
+      LockFiles::of_this_process().close(descriptor);
+      continue;
+    }
     if (options.when_locked == WhenLocked::leave || (options.give_up && options.give_up())) return nullptr;
     if (!announced && options.waiting) options.waiting();
     announced = true;
@@ -119,11 +131,7 @@ FolderLock::~FolderLock() {
 }
 
 bool FolderLock::holds() const {
-  struct stat locked {
-  }, present{};
-  return process_ == ::getpid() && ::fstat(descriptor_, &locked) == 0 &&
-         ::lstat(file_.c_str(), &present) == 0 && locked.st_dev == present.st_dev &&
-         locked.st_ino == present.st_ino && lock(descriptor_) == 0;
+  return process_ == ::getpid() && leads_to(file_, descriptor_) && lock(descriptor_) == 0;
 }
 
 bool is_locked(const fs::path& folder) {

@@ -37,8 +37,10 @@ class FolderLock {
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// Whether this object still has the lock. The lock is lost if somebody removes the file, or if a file
-  /// server releases the lock because it did not hear from this machine for too long.
+  /// Whether this object has the lock, at the end as at the start. The lock is lost if somebody removes the
+  /// file, or if a file server releases the lock because it did not hear from this machine for too long. A
+  /// lock that was lost and that nobody holds now is taken again: then another process may have had it
+  /// meanwhile.
   bool holds() const;
 
  private:
