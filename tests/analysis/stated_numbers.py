@@ -100,7 +100,7 @@ narrow = [row["share"] for model in ("discrete_shells", "prestressed")
 SMALL = "./bendlab run configs/stiffness/small_deflection.json, 2026-11-22"
 CUT = "./bendlab run configs/stability/time_step_cut_slow.json, 2026-11-22"
 REPRODUCE = "time ./bendlab reproduce, 2026-11-22"
-CLONE = " in a new clone without object cache, 2026-11-25"
+WAITS = "two cores of an Intel Xeon, no object cache, 2026-11-29; tests/setup/waits.sh measures it"
 STATED = {}
 STATED["README.md"] = [
     ("the worst triangle is stretched to {:.0f} times its length", torn),
@@ -108,10 +108,9 @@ STATED["README.md"] = [
     ("is ever stretched to more than {:.2f} times its length",
      max(column("paper", "runs_recommended", "worst_stretch")) + 1),
     ("varies by at most {:.0f} % from 12 to 96", 100 * (max(rigid) / min(rigid) - 1)),
-    ("2.7 minutes to the first figure", "time to the first figure" + CLONE),
+    ("3.5 minutes for the build", WAITS),
     ("8 minutes more to the paper's page, and 7 minutes more to the end", REPRODUCE),
-    ("on two cores half an hour, most of it the build",
-     "the build took 2000 s of processor time, ctest 12.7 minutes, 2026-11-27"),
+    ("9 minutes, of which 6.5 are the build; `--all` takes about 45", WAITS),
     ("its length has {:.3f} to {:.3f} of the stated B, but {:.2f} to {:.2f} with `discrete_shells`",
      min(shares["mid_edge"]), max(shares["mid_edge"]), min(shares["discrete_shells"]),
      max(shares["discrete_shells"])),
