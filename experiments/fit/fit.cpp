@@ -28,11 +28,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Gap {
   Vector3 away = Vector3::Zero(), normal = Vector3::UnitZ();
 
-  // The direction in which a small move of the cloth changes the distance. Inside the cloth it is the normal,
-  // also if the distance is 0; beyond a border it is that of the gap.
-  Vector3 direction() const {
+  // The direction in which a small move of the cloth changes the distance. Inside the cloth it is the normal;
+  // beyond a border it is that of the gap. A gap no longer than the points' `uncertainty`, m, does not show on
+  // which side of the border the point is, so the direction is the normal.
+  Vector3 direction(double uncertainty) const {
     constexpr double beside = 0.5;
-    return std::abs(away.dot(normal)) >= beside * away.norm() ? normal : away.normalized();
+    const double length = away.norm();
+    return length <= uncertainty || std::abs(away.dot(normal)) >= beside * length ? normal
+                                                                                  : away.normalized();
   }
 };
 
@@ -161,10 +164,10 @@ struct Placement {
   double rms = infinity;       // m, of the distances after these moves
 };
 
-// `slopes`: #points by #settings, the change of a point's distance with the logarithms of the settings. All
-// numbers are those of the problem made linear at the minimum.
-Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
-                       const Eigen::MatrixXd& slopes) {
+// `slopes`: #points by #settings, the change of a point's distance with the logarithms of the settings.
+// `sigma`: the uncertainty of a point, m. All numbers are those of the problem made linear at the minimum.
+Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps, const Eigen::MatrixXd& slopes,
+                       double sigma) {
   // Directions that change the distances by less than this share of the largest change are ignored.
   constexpr double unknown = 0.03;
   const auto specimens = static_cast<Eigen::Index>(problem.shapes.size());
@@ -174,8 +177,9 @@ Placement placement_of(const FitProblem& problem, const std::vector<Gap>& gaps,
   for (Eigen::Index s = 0; s < specimens; ++s)
     for (Eigen::Index p = 0; p < problem.shapes[static_cast<std::size_t>(s)].points.rows(); ++p, ++row) {
       const Gap& gap = gaps[static_cast<std::size_t>(row)];
-      by_move.block<1, 3>(row, 3 * s) = gap.direction().transpose();
-      distances(row) = gap.direction().dot(gap.away);
+      const Vector3 direction = gap.direction(sigma);
+      by_move.block<1, 3>(row, 3 * s) = direction.transpose();
+      distances(row) = direction.dot(gap.away);
     }
   const auto decomposed = [&](const Eigen::MatrixXd& matrix) {
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> result;
@@ -274,6 +278,10 @@ Fitted fit(const FitProblem& problem) {
         "state a larger --uncertainty",
         std::sqrt(least), most));
 
+  const double rms = std::sqrt(least),
+               scatter = rms * std::sqrt(static_cast<double>(points) / static_cast<double>(points - count)),
+               sigma = std::max({problem.uncertainty.value_or(0), scatter, of_mesh});
+
   // Derivatives of the distances by the logarithms, by central differences.
   constexpr double step = 0.01;
   Eigen::MatrixXd slopes(points, count);
@@ -283,11 +291,8 @@ Fitted fit(const FitProblem& problem) {
     const std::vector<Gap> far = specimens.gaps(ahead), near = specimens.gaps(behind);
     for (std::size_t p = 0; p < at_best.size(); ++p)
       slopes(static_cast<Eigen::Index>(p), i) =
-          at_best[p].direction().dot(far[p].away - near[p].away) / (2 * step);
+          at_best[p].direction(sigma).dot(far[p].away - near[p].away) / (2 * step);
   }
-  const double rms = std::sqrt(least),
-               scatter = rms * std::sqrt(static_cast<double>(points) / static_cast<double>(points - count)),
-               sigma = std::max({problem.uncertainty.value_or(0), scatter, of_mesh});
   Fitted fitted{.settings = {}, .rms = rms, .evaluations = objective.evaluations};
   // A singular value that is no larger than the error of the simulations belongs to a combination of settings
   // that the points do not determine.
@@ -304,7 +309,7 @@ Fitted fit(const FitProblem& problem) {
                                 : undetermined;
     covariance += variance * along * along.transpose();
   }
-  const Placement placement = placement_of(problem, at_best, slopes);
+  const Placement placement = placement_of(problem, at_best, slopes, sigma);
   fitted.moves = placement.moves, fitted.rms_if_moved = placement.rms;
   for (Eigen::Index i = 0; i < count; ++i) {
     const double variance = covariance(i, i);
