@@ -29,8 +29,8 @@ struct Gap {
   Vector3 away = Vector3::Zero(), normal = Vector3::UnitZ();
 
   // The direction in which a small move of the cloth changes the distance. Inside the cloth it is the normal;
-  // beyond a border it is that of the gap. A gap no longer than the points' `uncertainty`, m, does not show on
-  // which side of the border the point is, so the direction is the normal.
+  // beyond a border it is that of the gap. A gap no longer than the points' `uncertainty`, m, does not show
+  // on which side of the border the point is, so the direction is the normal.
   Vector3 direction(double uncertainty) const {
     constexpr double beside = 0.5;
     const double length = away.norm();

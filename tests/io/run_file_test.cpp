@@ -255,10 +255,10 @@ assert loaded(run['facts']) == loaded(other['outcome'])
 )"));
 }
 
-// A study of a thousand runs with a few frames has a thousand files. Such a file has about 3.6 KB of facts, which
-// are texts of the config, the build and the machine and therefore do not count here, 3.5 KB of units and
-// meanings, 0.4 KB of numbers, 2.3 KB of frames and rest pose, and 5.4 KB of headers for groups and datasets,
-// most of which ParaView needs.
+// A study of a thousand runs with a few frames has a thousand files. Such a file has about 3.6 KB of facts,
+// which are texts of the config, the build and the machine and therefore do not count here, 3.5 KB of units
+// and meanings, 0.4 KB of numbers, 2.3 KB of frames and rest pose, and 5.4 KB of headers for groups and
+// datasets, most of which ParaView needs.
 TEST_CASE("run file: a run of 4 x 4 cells and four frames takes less than 12 KB without its facts", "[io]") {
   const TemporaryFolder folder;
   const Experiment experiment = parse_experiment(
